@@ -1,0 +1,41 @@
+"""What goes wrong, in two kinds.
+
+What Borland answered with a code is a code here too: `result` holds the one sticky number that
+`graphresult()` hands out and clears. What Borland's library could only have crashed, hung or ended
+the program on raises a `BGIError`.
+"""
+
+from bgi.constants import ERROR_MESSAGES, grOk
+
+
+class BGIError(RuntimeError):
+    """A call that cannot be carried out: no graphics mode, no window, no key to wait for."""
+
+
+class WindowClosed(BGIError):
+    """The user closed the window; raised by the program's next call."""
+
+
+class Result:
+    """The kernel's one error code: set by whatever fails, cleared by being read."""
+
+    def __init__(self) -> None:
+        self.code = grOk
+
+    def set(self, code: int) -> None:
+        """Remember `code` until somebody asks."""
+        self.code = code
+
+    def take(self) -> int:
+        """Return the code and clear it, as graphresult() does."""
+        code, self.code = self.code, grOk
+        return code
+
+
+result = Result()
+
+
+def message(code: int) -> str:
+    """Borland's sentence for an error code; an unknown code is quoted in it."""
+    text = ERROR_MESSAGES.get(code)
+    return text if text is not None else f"Graphics error ({code})"
