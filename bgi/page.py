@@ -1,0 +1,238 @@
+"""One page of pixels: the only place where a pixel is set.
+
+A page is a numpy array, a memoryview and a pygame surface over the same bytes, each used where it
+is fastest: the memoryview for one pixel, pygame for solid lines and boxes, numpy for everything
+that is many. All coordinates are absolute; everything is clipped to the box given to `clip_to`.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.raster import curves, lines
+from bgi.raster.lines import Box, Ints, Segments
+from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, screen_mask
+from bgi.raster.polygons import Spans
+from bgi.sdl import pygame
+
+Mask = NDArray[np.bool_]
+
+FAR = 1 << 40
+"""A centre so far away shows nothing of a curve, and stays an int64 with its offsets."""
+
+
+class Page:
+    """Pixels (palette indices) of one screenful, and the box that drawing is clipped to."""
+
+    def __init__(self, memory: memoryview, width: int, height: int) -> None:
+        """Lay a page over `memory`, width * height bytes, rows from top to bottom."""
+        self.width = width
+        self.height = height
+        self.flat = np.frombuffer(memory, dtype=np.uint8)
+        self.array = self.flat.reshape(height, width)
+        self._pixels = self.array.data
+        self._surface = pygame.image.frombuffer(self.array.data, (width, height), "P")
+        self.clip_to((0, 0, width - 1, height - 1))
+
+    def clip_to(self, box: Box) -> None:
+        """Confine all drawing to left, top, right, bottom (inclusive, within the page)."""
+        self.box = box
+        self._left, self._top, self._right, self._bottom = box
+        left, top, right, bottom = box
+        self._surface.set_clip((left, top, right - left + 1, bottom - top + 1))
+
+    # Pixels
+
+    def get(self, x: int, y: int) -> int:
+        """The index at x, y, wherever the clipping box is; 0 off the page."""
+        if 0 <= x < self.width and 0 <= y < self.height:
+            return self._pixels[y, x]
+        return 0
+
+    def put(self, x: int, y: int, value: int) -> None:
+        """Set one pixel."""
+        if self._left <= x <= self._right and self._top <= y <= self._bottom:
+            self._pixels[y, x] = value
+
+    def get_many(self, x: Ints, y: Ints) -> NDArray[np.uint8]:
+        """`get` for arrays."""
+        inside = _within(x, y, (0, 0, self.width - 1, self.height - 1))
+        values = np.zeros(len(x), dtype=np.uint8)
+        place = y[inside] * self.width + x[inside]
+        values[inside] = self.flat[place.astype(np.int64, copy=False)]
+        return values
+
+    def put_many(self, x: Ints, y: Ints, values: Ints | int, xor: bool = False) -> None:
+        """`put` for arrays, in order: where pixels coincide the last one stays."""
+        if len(x) == 0:
+            return
+        left, top, right, bottom = self.box
+        if x.min() < left or x.max() > right or y.min() < top or y.max() > bottom:
+            inside = _within(x, y, self.box)
+            x = x[inside].astype(np.int64, copy=False)
+            y = y[inside].astype(np.int64, copy=False)
+            values = values if isinstance(values, int) else values[inside]
+        self._set(y * self.width + x, values, xor)
+
+    def _set(self, place: Ints, values: Ints | int, xor: bool) -> None:
+        if xor:
+            np.bitwise_xor.at(self.flat, place, np.asarray(values).astype(np.uint8))
+        else:
+            self.flat[place] = values
+
+    # Lines
+
+    def line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
+        """A thin solid line."""
+        left, top, right, bottom = self.box
+        if not (
+            left <= x1 <= right
+            and left <= x2 <= right
+            and top <= y1 <= bottom
+            and top <= y2 <= bottom
+        ):
+            visible = lines.clip(x1, y1, x2, y2, self.box)
+            if visible is None:
+                return
+            x1, y1, x2, y2 = visible
+        # From its lower end to its upper one, pygame's line sets the very pixels of the driver's.
+        if y1 < y2:
+            x1, y1, x2, y2 = x2, y2, x1, y1
+        pygame.draw.line(self._surface, color, (x1, y1), (x2, y2))
+
+    def styled_line(self, segment: lines.Segment, color: int, pattern: Mask, xor: bool) -> None:
+        """A thin line with a pattern of sixteen bits, from its first clipped pixel on."""
+        visible = lines.clip(*segment, self.box)
+        if visible is None:
+            return
+        x, y = lines.trace(*visible)
+        place = y * self.width + x
+        if not pattern.all():
+            place = place[np.resize(pattern, len(place))]
+        if xor:  # no pixel comes twice in one line
+            self.flat[place] ^= color
+        else:
+            self.flat[place] = color
+
+    def lines(
+        self, segments: Segments, colors: Ints | int, pattern: Mask, xor: bool = False
+    ) -> None:
+        """Thin lines one after another; `colors` is one for all, or one for each."""
+        place, line = self._trace(segments, pattern)
+        self._set(place, colors if isinstance(colors, int) else colors[line], xor)
+
+    def _trace(self, segments: Segments, pattern: Mask) -> tuple[Ints, Ints]:
+        """The pixels of many lines, clipped: their places, and which line each belongs to."""
+        visible, kept = lines.clip_many(segments, self.box)
+        x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
+        x, y, step, line = lines.trace_many((x1, y1, x2, y2))
+        place = y * self.width + x
+        if not pattern.all():
+            drawn = pattern[step & 15]
+            place, line = place[drawn], line[drawn]
+        return place, kept[line]
+
+    # Boxes
+
+    def fill(self, box: Box, color: int, rows: bytes = SOLID_ROWS) -> None:
+        """A box, both corners included, in a fill pattern of eight rows."""
+        left, top = max(box[0], self._left), max(box[1], self._top)
+        right, bottom = min(box[2], self._right), min(box[3], self._bottom)
+        if left > right or top > bottom:
+            return
+        if rows in (SOLID_ROWS, EMPTY_ROWS):
+            shown = color if rows == SOLID_ROWS else 0
+            self._surface.fill(shown, (left, top, right - left + 1, bottom - top + 1))
+        else:
+            part = slice(top, bottom + 1), slice(left, right + 1)
+            mask = screen_mask(rows, self.width, self.height)
+            np.multiply(mask[part], color, out=self.array[part], casting="unsafe")
+
+    def outline(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
+        """The four sides of a box, thin and solid; corners in order."""
+        pixel = self._left - 1, self._top - 1, self._right + 1, self._bottom + 1
+        left, right = max(left, pixel[0]), min(right, pixel[2])
+        top, bottom = max(top, pixel[1]), min(bottom, pixel[3])
+        if left <= right and top <= bottom:
+            box = (left, top, right - left + 1, bottom - top + 1)
+            pygame.draw.rect(self._surface, color, box, 1)
+
+    # Polygons
+
+    def _spread(self, y: Ints, left: Ints, right: Ints) -> tuple[Ints, Ints]:
+        """The pixels of many spans, clipped: their places, and which span each belongs to."""
+        inside = (y >= self._top) & (y <= self._bottom)
+        left, right = np.maximum(left, self._left), np.minimum(right, self._right)
+        kept = np.flatnonzero(inside & (left <= right))
+        y, left, right = (a[kept].astype(np.int64, copy=False) for a in (y, left, right))
+        length = right - left + 1
+        ends = np.cumsum(length)
+        start = y * self.width + left - (ends - length)
+        span = np.repeat(np.arange(len(y)), length)
+        return start[span] + np.arange(len(span)), kept[span]
+
+    def _patterned(self, place: Ints, colors: Ints, rows: bytes) -> Ints:
+        """What a fill writes at those places."""
+        if rows == SOLID_ROWS:
+            return colors
+        return screen_mask(rows, self.width, self.height).ravel()[place] * colors
+
+    def paint(
+        self,
+        spans: Spans,
+        fills: Ints,
+        rows: bytes,
+        sides: Segments,
+        owners: Ints,
+        colors: Ints,
+        pattern: Mask,
+        xor: bool,
+    ) -> None:
+        """Polygons one after another: the spans of one and its sides, then the next one's.
+
+        `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
+        With `xor` there may be one polygon only.
+        """
+        place, span = self._spread(spans.y, spans.left, spans.right)
+        filled_by = spans.owner[span]
+        self.flat[place] = self._patterned(place, fills[filled_by], rows)
+        edge, side = self._trace(sides, pattern)
+        drawn_by = owners[side]
+        if len(filled_by) and len(drawn_by) and filled_by[-1] > drawn_by[0]:
+            # A pixel of a side survives unless a later polygon's fill covers it.
+            last_fill = np.full(self.flat.shape, -1, dtype=np.int32)
+            last_fill[place] = filled_by
+            survives = last_fill[edge] <= drawn_by
+            edge, drawn_by = edge[survives], drawn_by[survives]
+        self._set(edge, colors[drawn_by], xor)
+
+    # Curves, stamps and whole pages
+
+    def ellipse(self, x: int, y: int, rx: int, ry: int, color: int) -> None:
+        """A thin ellipse around x, y."""
+        places, reach_x, reach_y = curves.places(rx, ry, self.width)
+        left, top, right, bottom = self.box
+        if left + reach_x <= x <= right - reach_x and top + reach_y <= y <= bottom - reach_y:
+            self.flat[places + (y * self.width + x)] = color
+        else:
+            dx, dy = curves.outline(rx, ry)
+            if max(abs(x), abs(y)) < FAR:
+                self.put_many(x + dx, y + dy, color)
+
+    def stamp(self, x: int, y: int, mask: Mask, color: int) -> None:
+        """Put a colour wherever `mask`, its top left corner at x, y, is True."""
+        height, width = mask.shape
+        left, top = max(x, self._left), max(y, self._top)
+        right, bottom = min(x + width, self._right + 1), min(y + height, self._bottom + 1)
+        if left < right and top < bottom:
+            part = self.array[top:bottom, left:right]
+            np.copyto(part, color, where=mask[top - y : bottom - y, left - x : right - x])
+
+    def clear(self) -> None:
+        """The whole page becomes index 0, whatever the clipping box."""
+        self.flat.fill(0)
+
+
+def _within(x: Ints, y: Ints, box: Box) -> Mask:
+    left, top, right, bottom = box
+    inside: Mask = (x >= left) & (x <= right) & (y >= top) & (y <= bottom)
+    return inside

@@ -1,0 +1,139 @@
+"""Lines: which pixels, clipped how, in which order.
+
+The driver draws every line downwards (a level one from its first point), with both ends: n steps
+along the longer axis, and after i of them `(2 * m * i + n) // (2 * n)` along the shorter one (m its
+length), so that an exact tie steps early. The kernel clips before: it moves an outside end to one
+violated edge after another, left or right, then top or bottom, the other coordinate truncated
+toward zero, and the driver then draws a fresh line between the clipped ends.
+
+A thick line is three thin ones, clipped each on its own: the line itself, then shifted by -1, then
+by +1; in y if the line is rather level, else in x.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Ints = NDArray[np.int64]
+Box = tuple[int, int, int, int]
+"""left, top, right, bottom, all inside."""
+Segment = tuple[int, int, int, int]
+"""x1, y1, x2, y2."""
+Segments = tuple[Ints, Ints, Ints, Ints]
+"""x1, y1, x2, y2 of many lines."""
+
+_MOVES = 8
+"""More moves than any line needs to come inside: each end crosses at most two edges."""
+
+
+def toward_zero(numerator: Any, denominator: Any) -> Any:
+    """The quotient as C computes it, for ints and arrays; 0 where the denominator is 0."""
+    quotient = abs(numerator) // (abs(denominator) + (denominator == 0))
+    return quotient * (1 - 2 * ((numerator < 0) != (denominator < 0)))
+
+
+def clip(x1: int, y1: int, x2: int, y2: int, box: Box) -> Segment | None:
+    """The part of a line inside `box` as the kernel computes it, or None."""
+    left, top, right, bottom = box
+    dx, dy = x2 - x1, y2 - y1
+    for _ in range(_MOVES):
+        if max(x1, x2) < left or min(x1, x2) > right or max(y1, y2) < top or min(y1, y2) > bottom:
+            return None
+        if not (left <= x1 <= right and top <= y1 <= bottom):
+            x1, y1 = _move(x1, y1, dx, dy, box)
+        elif not (left <= x2 <= right and top <= y2 <= bottom):
+            x2, y2 = _move(x2, y2, dx, dy, box)
+        else:
+            return x1, y1, x2, y2
+    return None
+
+
+def _move(x: int, y: int, dx: int, dy: int, box: Box) -> tuple[int, int]:
+    left, top, right, bottom = box
+    if not left <= x <= right:
+        edge = left if x < left else right
+        return edge, y + toward_zero((edge - x) * dy, dx)
+    edge = top if y < top else bottom
+    return x + toward_zero((edge - y) * dx, dy), edge
+
+
+def clip_many(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]:
+    """`clip` for arrays: the lines that remain, and which of the given ones they are."""
+    left, top, right, bottom = box
+    x1, y1, x2, y2 = segments
+    dx, dy = x2 - x1, y2 - y1
+    kept = np.arange(len(x1))
+    for _ in range(_MOVES):
+        outside = (np.maximum(x1, x2) < left) | (np.minimum(x1, x2) > right)
+        outside |= (np.maximum(y1, y2) < top) | (np.minimum(y1, y2) > bottom)
+        if outside.any():
+            stay = ~outside
+            x1, y1, x2, y2, dx, dy, kept = (a[stay] for a in (x1, y1, x2, y2, dx, dy, kept))
+        moved1 = _moved(x1, y1, dx, dy, box)
+        moved2 = _moved(x2, y2, dx, dy, box)
+        if moved1 is None and moved2 is None:
+            return (x1, y1, x2, y2), kept
+        x1, y1 = moved1 or (x1, y1)
+        x2, y2 = moved2 or (x2, y2)
+    inside = (left <= x1) & (x1 <= right) & (top <= y1) & (y1 <= bottom)
+    inside &= (left <= x2) & (x2 <= right) & (top <= y2) & (y2 <= bottom)
+    return (x1[inside], y1[inside], x2[inside], y2[inside]), kept[inside]
+
+
+def _moved(x: Ints, y: Ints, dx: Ints, dy: Ints, box: Box) -> tuple[Ints, Ints] | None:
+    left, top, right, bottom = box
+    ahead = np.clip(x, left, right) - x
+    down = np.where(ahead == 0, np.clip(y, top, bottom) - y, 0)
+    if not (ahead.any() or down.any()):
+        return None
+    across = toward_zero(down * dx, dy)
+    return x + ahead + across, y + down + toward_zero(ahead * dy, dx)
+
+
+def trace(x1: int, y1: int, x2: int, y2: int) -> tuple[Ints, Ints]:
+    """The pixels of one thin line, in drawing order."""
+    if y2 < y1:
+        x1, y1, x2, y2 = x2, y2, x1, y1
+    dx, dy = x2 - x1, y2 - y1
+    n, m = (dy, abs(dx)) if dy > abs(dx) else (abs(dx), dy)
+    along = np.arange(n + 1)
+    across = (along * (2 * m) + n) // (2 * n or 1)
+    if dy > abs(dx):
+        along, across = across, along
+    return (x1 + along if dx >= 0 else x1 - along), y1 + across
+
+
+def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
+    """The pixels of many thin lines one after another: x, y, step from the line's start, line."""
+    x1, y1, x2, y2 = segments
+    up = y2 < y1
+    x1, x2 = np.where(up, x2, x1), np.where(up, x1, x2)
+    y1, y2 = np.where(up, y2, y1), np.where(up, y1, y2)
+    dx, dy = x2 - x1, y2 - y1
+    steep = dy > abs(dx)
+    n = np.where(steep, dy, abs(dx))
+    m = np.where(steep, abs(dx), dy)
+    line = np.repeat(np.arange(len(n)), n + 1)
+    ends = np.cumsum(n + 1)
+    step = np.arange(len(line)) - np.repeat(ends - (n + 1), n + 1)
+    across = (step * (2 * m)[line] + n[line]) // np.maximum(2 * n, 1)[line]
+    in_x = np.where(steep[line], across, step)
+    in_y = step + across - in_x
+    return x1[line] + in_x * np.sign(dx)[line], y1[line] + in_y, step, line
+
+
+def strands(x1: int, y1: int, x2: int, y2: int) -> list[Segment]:
+    """The three thin lines that make a thick one."""
+    if abs(x2 - x1) >= abs(y2 - y1):
+        return [(x1, y1 + d, x2, y2 + d) for d in (0, -1, 1)]
+    return [(x1 + d, y1, x2 + d, y2) for d in (0, -1, 1)]
+
+
+def strands_many(segments: Segments) -> Segments:
+    """`strands` for arrays: the three of the first line, then those of the second, and so on."""
+    x1, y1, x2, y2 = (np.repeat(a, 3) for a in segments)
+    shift = np.tile([0, -1, 1], len(segments[0]))
+    level = abs(x2 - x1) >= abs(y2 - y1)
+    in_x, in_y = np.where(level, 0, shift), np.where(level, shift, 0)
+    return x1 + in_x, y1 + in_y, x2 + in_x, y2 + in_y

@@ -1,0 +1,53 @@
+"""Line styles and fill patterns: Borland's tables, and how their bits are read.
+
+A line pattern is sixteen bits, read from the lowest bit upward, one for each step along the line. A
+fill pattern is eight rows of eight bits, the highest bit leftmost, anchored to the screen: the bit
+for a pixel is row `y & 7`, bit `0x80 >> (x & 7)` of its absolute coordinates, so that neighbouring
+fills join without a seam.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+LINE_PATTERNS = [0xFFFF, 0xCCCC, 0xFC78, 0xF8F8]
+"""SOLID_LINE, DOTTED_LINE, CENTER_LINE, DASHED_LINE; USERBIT_LINE brings its own."""
+
+FILL_PATTERNS = [
+    bytes.fromhex(rows)
+    for rows in (
+        "00 00 00 00 00 00 00 00",  # EMPTY_FILL
+        "FF FF FF FF FF FF FF FF",  # SOLID_FILL
+        "FF FF 00 00 FF FF 00 00",  # LINE_FILL
+        "01 02 04 08 10 20 40 80",  # LTSLASH_FILL
+        "E0 C1 83 07 0E 1C 38 70",  # SLASH_FILL
+        "F0 78 3C 1E 0F 87 C3 E1",  # BKSLASH_FILL
+        "A5 D2 69 B4 5A 2D 96 4B",  # LTBKSLASH_FILL: not the mirror image of LTSLASH_FILL
+        "FF 88 88 88 FF 88 88 88",  # HATCH_FILL
+        "81 42 24 18 18 24 42 81",  # XHATCH_FILL
+        "CC 33 CC 33 CC 33 CC 33",  # INTERLEAVE_FILL
+        "80 00 08 00 80 00 08 00",  # WIDE_DOT_FILL
+        "88 00 22 00 88 00 22 00",  # CLOSE_DOT_FILL
+    )
+]
+
+
+EMPTY_ROWS = FILL_PATTERNS[0]
+SOLID_ROWS = FILL_PATTERNS[1]
+
+
+@lru_cache(maxsize=64)
+def line_mask(pattern: int) -> NDArray[np.bool_]:
+    """The sixteen bits of a line pattern as booleans, in drawing order."""
+    return (pattern >> np.arange(16) & 1).astype(bool)
+
+
+SOLID_MASK = line_mask(0xFFFF)
+
+
+@lru_cache(maxsize=16)
+def screen_mask(rows: bytes, width: int, height: int) -> NDArray[np.uint8]:
+    """A whole screen of a fill pattern: 1 where a fill puts its colour, 0 where index 0."""
+    tile = np.unpackbits(np.frombuffer(rows, np.uint8).reshape(8, 1), axis=1)
+    return np.tile(tile, (-(-height // 8), -(-width // 8)))[:height, :width]
