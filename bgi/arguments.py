@@ -1,12 +1,13 @@
 """Numbers as a BGI call takes them.
 
 An int is taken as it is, a float truncated toward zero, as C converts it. Anything else a caller
-can pass where a number belongs is a TypeError or ValueError that names the argument. Arrays (and lists
-and tuples) of numbers broadcast against each other, and mean the scalar call repeated in order.
+can pass where a number belongs is a TypeError or ValueError that names the argument. Arrays (and
+lists and tuples) of numbers broadcast against each other, and mean the scalar call repeated in
+order.
 """
 
 import operator
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,8 +18,12 @@ Numbers = Number | Sequence[Any] | NDArray[Any]
 """A number, or an array, list or tuple of numbers."""
 
 
-LIMIT = 1 << 30
-"""Array coordinates below it stay int64: products of two of them cannot overflow."""
+LIMIT = 1 << 24
+"""Array coordinates below it stay int64; so small, their quotients are exact in floating point."""
+
+
+BATCH = 8192
+"""Elements handled at a time; larger temporaries would be slow to get and to fill."""
 
 
 def whole(name: str, value: object) -> int:
@@ -61,7 +66,7 @@ def whole_array(name: str, values: object) -> NDArray[Any]:
 
 
 def broadcast(**arguments: object) -> list[NDArray[Any]]:
-    """The arguments as flat arrays of one length; ValueError if their shapes do not go together."""
+    """The arguments as flat arrays of one length; ValueError if their shapes do not match."""
     arrays = [whole_array(name, value) for name, value in arguments.items()]
     try:
         return [array.ravel() for array in np.broadcast_arrays(*arrays)]
@@ -70,3 +75,35 @@ def broadcast(**arguments: object) -> list[NDArray[Any]]:
             f"{name} {array.shape}" for name, array in zip(arguments, arrays, strict=True)
         )
         raise ValueError(f"the arrays do not go together: {shapes}") from None
+
+
+def batches(**arguments: object) -> Iterator[list[NDArray[Any]]]:
+    """`broadcast`, some thousand elements at a time: what is made of them then fits the cache."""
+    arrays = broadcast(**arguments)
+    for start in range(0, len(arrays[0]), BATCH):
+        yield [array[start : start + BATCH] for array in arrays]
+
+
+def polygon_points(points: object, flat: object) -> list[tuple[int, int]] | NDArray[Any]:
+    """One polygon as a list of points, or many as an array (n, k, 2), from any form of the call.
+
+    Those are [(x, y), ...], an array (k, 2), a flat list x, y, x, y, ..., an array (n, k, 2), and
+    as in C the number of points followed by a flat list.
+    """
+    if flat is not None:
+        count = whole("numpoints", points)
+        numbers = whole_array("polypoints", flat).ravel().tolist()
+        if not 0 <= 2 * count <= len(numbers):
+            raise ValueError(f"{count} points need {2 * count} numbers, not {len(numbers)}")
+        return list(zip(numbers[0 : 2 * count : 2], numbers[1 : 2 * count : 2], strict=True))
+    array = whole_array("points", points)
+    if array.ndim == 1 and len(array) % 2 == 0:
+        array = array.reshape(-1, 2)
+    if array.ndim == 2 and array.shape[1] == 2:
+        return [(x, y) for x, y in array.tolist()]
+    if array.ndim == 3 and array.shape[1] > 0 and array.shape[2] == 2:
+        return array
+    raise ValueError(
+        "points must be [(x, y), ...], a flat list of even length, or an array of shape"
+        f" (k, 2) or (n, k, 2); not of shape {array.shape}"
+    )

@@ -5,7 +5,7 @@ chosen: every mode has at least two pages, so that double buffering works everyw
 count stands beside ours), and the 8514 driver reports all of its 256 colours.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from bgi.constants import (
     ATT400,
@@ -43,10 +43,11 @@ class GraphicsMode:
     name: str
     """What getmodename() says."""
 
-    @property
-    def maxcolor(self) -> int:
-        """The largest colour index, which is also the mask of a pixel's bits."""
-        return self.colors - 1
+    maxcolor: int = field(init=False)
+    """The largest colour index, which is also the mask of a pixel's bits."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "maxcolor", self.colors - 1)
 
 
 MODES = [

@@ -5,13 +5,15 @@ is fastest: the memoryview for one pixel, pygame for solid lines and boxes, nump
 that is many. All coordinates are absolute; everything is clipped to the box given to `clip_to`.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from bgi.raster import curves, lines
 from bgi.raster.lines import Box, Ints, Segments
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, screen_mask
-from bgi.raster.polygons import Spans
+from bgi.raster.polygons import Rows, Spans
 from bgi.sdl import pygame
 
 Mask = NDArray[np.bool_]
@@ -30,6 +32,7 @@ class Page:
         self.flat = np.frombuffer(memory, dtype=np.uint8)
         self.array = self.flat.reshape(height, width)
         self._pixels = self.array.data
+        self._bytes = self.flat.data
         self._surface = pygame.image.frombuffer(self.array.data, (width, height), "P")
         self.clip_to((0, 0, width - 1, height - 1))
 
@@ -113,23 +116,22 @@ class Page:
         else:
             self.flat[place] = color
 
-    def lines(
-        self, segments: Segments, colors: Ints | int, pattern: Mask, xor: bool = False
-    ) -> None:
-        """Thin lines one after another; `colors` is one for all, or one for each."""
-        place, line = self._trace(segments, pattern)
-        self._set(place, colors if isinstance(colors, int) else colors[line], xor)
+    def lines(self, segments: Segments, colors: Ints, pattern: Mask, xor: bool) -> None:
+        """Thin lines one after another, each in its colour."""
+        for place, line in self._trace(segments, pattern):
+            self._set(place, colors[line], xor)
 
-    def _trace(self, segments: Segments, pattern: Mask) -> tuple[Ints, Ints]:
+    def _trace(self, segments: Segments, pattern: Mask) -> Iterator[tuple[Ints, Ints]]:
         """The pixels of many lines, clipped: their places, and which line each belongs to."""
         visible, kept = lines.clip_many(segments, self.box)
-        x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
-        x, y, step, line = lines.trace_many((x1, y1, x2, y2))
-        place = y * self.width + x
-        if not pattern.all():
-            drawn = pattern[step & 15]
-            place, line = place[drawn], line[drawn]
-        return place, kept[line]
+        for part in lines.batches(visible):
+            x1, y1, x2, y2 = (end[part].astype(np.int64, copy=False) for end in visible)
+            x, y, step, line = lines.trace_many((x1, y1, x2, y2))
+            place = y * self.width + x
+            if not pattern.all():
+                drawn = pattern[step & 15]
+                place, line = place[drawn], line[drawn]
+            yield place, kept[part][line]
 
     # Boxes
 
@@ -158,6 +160,23 @@ class Page:
 
     # Polygons
 
+    def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
+        """Rows of pixels (y within the clipping box) in a fill pattern."""
+        left, right, width = self._left, self._right, self.width
+        ink = memoryview(bytes([color]) * width)
+        mask = None if pattern == SOLID_ROWS else screen_mask(pattern, width, self.height)
+        for y, a, b in zip(*where, strict=True):
+            if a > b:
+                a, b = b, a
+            a, b = a if a > left else left, b if b < right else right
+            if a > b:
+                continue
+            if mask is None:
+                start = y * width
+                self._bytes[start + a : start + b + 1] = ink[: b + 1 - a]
+            else:
+                self.array[y, a : b + 1] = mask[y, a : b + 1] * color
+
     def _spread(self, y: Ints, left: Ints, right: Ints) -> tuple[Ints, Ints]:
         """The pixels of many spans, clipped: their places, and which span each belongs to."""
         inside = (y >= self._top) & (y <= self._bottom)
@@ -185,25 +204,24 @@ class Page:
         owners: Ints,
         colors: Ints,
         pattern: Mask,
-        xor: bool,
     ) -> None:
         """Polygons one after another: the spans of one and its sides, then the next one's.
 
         `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
-        With `xor` there may be one polygon only.
         """
         place, span = self._spread(spans.y, spans.left, spans.right)
         filled_by = spans.owner[span]
         self.flat[place] = self._patterned(place, fills[filled_by], rows)
-        edge, side = self._trace(sides, pattern)
-        drawn_by = owners[side]
-        if len(filled_by) and len(drawn_by) and filled_by[-1] > drawn_by[0]:
-            # A pixel of a side survives unless a later polygon's fill covers it.
+        covered = len(filled_by) and len(owners) and filled_by[-1] > owners[0]
+        if covered:
             last_fill = np.full(self.flat.shape, -1, dtype=np.int32)
             last_fill[place] = filled_by
-            survives = last_fill[edge] <= drawn_by
-            edge, drawn_by = edge[survives], drawn_by[survives]
-        self._set(edge, colors[drawn_by], xor)
+        for edge, side in self._trace(sides, pattern):
+            drawn_by = owners[side]
+            if covered:  # a pixel of a side survives unless a later polygon's fill covers it
+                survives = last_fill[edge] <= drawn_by
+                edge, drawn_by = edge[survives], drawn_by[survives]
+            self.flat[edge] = colors[drawn_by]
 
     # Curves, stamps and whole pages
 

@@ -2,8 +2,8 @@
 
 A stepper walks one quadrant of the ellipse in hundredths of a pixel's area and mirrors each point
 four ways. Arcs keep those points whose *rank* lies between the ranks of the end points: a number
-that grows around the ellipse and needs no arc tangent. End points come from a table of 91 sines. Thick
-curves are another matter: one point for every whole degree, joined by thick lines.
+that grows around the ellipse and needs no arc tangent. End points come from a table of 91 sines.
+Thick curves are another matter: one point for every whole degree, joined by thick lines.
 """
 
 import math

@@ -10,6 +10,7 @@ A thick line is three thin ones, clipped each on its own: the line itself, then 
 by +1; in y if the line is rather level, else in x.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -23,13 +24,21 @@ Segment = tuple[int, int, int, int]
 Segments = tuple[Ints, Ints, Ints, Ints]
 """x1, y1, x2, y2 of many lines."""
 
+_BATCH = 8192
+"""Pixels traced at a time."""
 _MOVES = 8
 """More moves than any line needs to come inside: each end crosses at most two edges."""
 
 
 def toward_zero(numerator: Any, denominator: Any) -> Any:
-    """The quotient as C computes it, for ints and arrays; 0 where the denominator is 0."""
-    quotient = abs(numerator) // (abs(denominator) + (denominator == 0))
+    """The quotient as C computes it, for ints and arrays; anything where the denominator is 0.
+
+    An int64 array must hold less than 2**52: then floating point is exact, and much faster.
+    """
+    denominator = denominator + (denominator == 0)
+    if isinstance(numerator, np.ndarray) and numerator.dtype != object:
+        return (numerator / denominator).astype(np.int64)
+    quotient = abs(numerator) // abs(denominator)
     return quotient * (1 - 2 * ((numerator < 0) != (denominator < 0)))
 
 
@@ -117,10 +126,21 @@ def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
     line = np.repeat(np.arange(len(n)), n + 1)
     ends = np.cumsum(n + 1)
     step = np.arange(len(line)) - np.repeat(ends - (n + 1), n + 1)
-    across = (step * (2 * m)[line] + n[line]) // np.maximum(2 * n, 1)[line]
+    across = toward_zero(step * (2 * m)[line] + n[line], (2 * n)[line])
     in_x = np.where(steep[line], across, step)
     in_y = step + across - in_x
     return x1[line] + in_x * np.sign(dx)[line], y1[line] + in_y, step, line
+
+
+def batches(segments: Segments) -> Iterator[slice]:
+    """Cut many clipped lines into groups whose pixels fit the cache."""
+    x1, y1, x2, y2 = segments
+    ends = np.cumsum(np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1)
+    start, total = 0, 0
+    while start < len(ends):
+        end = max(start + 1, int(np.searchsorted(ends, total + _BATCH, side="right")))
+        yield slice(start, end)
+        start, total = end, ends[end - 1]
 
 
 def strands(x1: int, y1: int, x2: int, y2: int) -> list[Segment]:

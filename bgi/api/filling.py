@@ -1,0 +1,57 @@
+"""Filled shapes, in the fill pattern and colour of setfillstyle().
+
+Patterns are opaque (their gaps become index 0) and anchored to the screen, so that neighbouring
+fills join without a seam. Fills ignore the write mode.
+"""
+
+from bgi import current
+from bgi.arguments import Number, Numbers
+
+
+def setfillstyle(pattern: Number, color: Number) -> None:
+    """Choose pattern and colour of fills.
+
+    Args:
+        pattern: EMPTY_FILL (0), SOLID_FILL (1) ... CLOSE_DOT_FILL (11), or USER_FILL (12).
+        color: 0..getmaxcolor().
+
+    graphresult() says -11, and nothing changes, for any other number. Source: graphics.h.
+    """
+    current.screen.setfillstyle(pattern, color)
+
+
+def bar(
+    left: Numbers, top: Numbers, right: Numbers, bottom: Numbers, fill: Numbers | None = None
+) -> None:
+    """Fill a box, without an outline; its corners in any order.
+
+    Args:
+        left, top, right, bottom: two opposite corners, relative to the viewport, both filled.
+        fill: this box's fill colour; that of setfillstyle() if None.
+
+    EMPTY_FILL erases to index 0. Leaves the current position. Arrays fill many boxes. Source:
+    graphics.h.
+    """
+    current.screen.bar(left, top, right, bottom, fill)
+
+
+def fillpoly(
+    points: Numbers,
+    flat: Numbers | None = None,
+    fill: Numbers | None = None,
+    color: Numbers | None = None,
+) -> None:
+    """Fill a polygon and draw its outline; it is closed for you.
+
+    Args:
+        points: [(x, y), ...], an array of shape (k, 2), or a flat list x, y, x, y, ...; shape
+            (n, k, 2) means n polygons. As in C: the number of points, followed by `flat`.
+        fill: the fill colour, or n of them; that of setfillstyle() if None.
+        color: the outline's colour, or n of them; the drawing colour if None; 0 draws none.
+
+    Even-odd rule; back at its first point the figure ends, and the next point begins another.
+    Rows are filled from the topmost to the one above the lowest, both ends included, so that a
+    pixel may stick out of the outline, as in the original. EMPTY_FILL fills nothing. The outline
+    is drawn as by line(). Source: graphics.h.
+    """
+    current.screen.fillpoly(points, flat, fill, color)

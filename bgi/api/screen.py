@@ -1,0 +1,213 @@
+"""The screen: its size, viewport, pages, colours and palette."""
+
+import os
+from collections.abc import Sequence
+
+from bgi import current
+from bgi.arguments import Number
+from bgi.settings import palettetype
+
+
+def getmaxx() -> int:
+    """Return the largest x of the screen, 639 in VGAHI, whatever the viewport.
+
+    Source: graphics.h.
+    """
+    return current.screen.getmaxx()
+
+
+def getmaxy() -> int:
+    """Return the largest y of the screen, 479 in VGAHI, whatever the viewport.
+
+    Source: graphics.h.
+    """
+    return current.screen.getmaxy()
+
+
+def getmaxcolor() -> int:
+    """Return the largest colour: 15 on EGA and VGA, 3 or 1 on CGA, 255 on the 8514.
+
+    Source: graphics.h; Borland's 8514 table says 15, the screen has 256.
+    """
+    return current.screen.getmaxcolor()
+
+
+def cleardevice() -> None:
+    """Clear the active page to the background colour (index 0), whatever the viewport.
+
+    The current position goes to 0, 0; viewport and settings stay. Source: graphics.h.
+    """
+    current.screen.cleardevice()
+
+
+def setviewport(left: Number, top: Number, right: Number, bottom: Number, clip: Number) -> None:
+    """Choose the part of the screen that drawing is relative to.
+
+    Args:
+        left, top, right, bottom: its corners in screen coordinates, all inside it.
+        clip: 1 to cut drawing off at its edges, 0 to cut only at the edges of the screen.
+
+    The current position goes to 0, 0. graphresult() says -11, and nothing changes, unless
+    0 <= left <= right <= getmaxx() and likewise for top and bottom. Source: graphics.h.
+    """
+    current.screen.setviewport(left, top, right, bottom, clip)
+
+
+def clearviewport() -> None:
+    """Clear the viewport to the background colour (index 0), even with clipping off.
+
+    The current position goes to 0, 0. Source: graphics.h.
+    """
+    current.screen.clearviewport()
+
+
+def moveto(x: Number, y: Number) -> None:
+    """Move the current position to x, y, which may lie anywhere; draws nothing.
+
+    Source: graphics.h.
+    """
+    current.screen.moveto(x, y)
+
+
+def moverel(dx: Number, dy: Number) -> None:
+    """Move the current position by dx to the right and dy down; draws nothing.
+
+    Source: graphics.h.
+    """
+    current.screen.moverel(dx, dy)
+
+
+def getx() -> int:
+    """Return the current position's x, relative to the viewport. Source: graphics.h."""
+    return current.screen.getx()
+
+
+def gety() -> int:
+    """Return the current position's y, relative to the viewport. Source: graphics.h."""
+    return current.screen.gety()
+
+
+def setactivepage(page: Number) -> None:
+    """Choose the page that drawing, reading and clearing go to.
+
+    Args:
+        page: 0 or 1, in modes with four pages up to 3; any other is ignored.
+
+    Source: graphics.h; chosen: every mode has two pages here at least.
+    """
+    current.screen.setactivepage(page)
+
+
+def setvisualpage(page: Number) -> None:
+    """Choose the page that is shown, at once and without copying.
+
+    Args:
+        page: as for setactivepage().
+
+    Source: graphics.h.
+    """
+    current.screen.setvisualpage(page)
+
+
+def swapbuffers() -> None:
+    """Show the page just drawn and draw on the other one: smooth animation in one call.
+
+    Returns when the page is on the glass, so nothing tears and a loop runs at the window's rate;
+    without a window it returns at once. The page to draw on holds an older picture: begin with
+    cleardevice(). Raises WindowClosed if the user closes the window. Source: WinBGIm.
+    """
+    current.screen.swapbuffers()
+
+
+def setcolor(color: Number) -> None:
+    """Set the colour of lines, outlines and text.
+
+    Args:
+        color: 0..getmaxcolor(); more bits than the mode has are cut off. 0 is the background.
+
+    Source: graphics.h.
+    """
+    current.screen.setcolor(color)
+
+
+def getcolor() -> int:
+    """Return the drawing colour, getmaxcolor() at first. Source: graphics.h."""
+    return current.screen.getcolor()
+
+
+def setbkcolor(color: Number) -> None:
+    """Change how the background (index 0) looks, at once and everywhere; nothing is redrawn.
+
+    Args:
+        color: a colour whose look index 0 takes; 0 is black. On CGA any of the 16; in CGA's
+            two-colour mode it is the foreground that changes, as on the hardware.
+
+    Pixels of index 0 stay index 0. Source: graphics.h.
+    """
+    current.screen.setbkcolor(color)
+
+
+def getbkcolor() -> int:
+    """Return the number last given to setbkcolor(), 0 at first. Source: graphics.h."""
+    return current.screen.getbkcolor()
+
+
+def setpalette(index: Number, color: Number) -> None:
+    """Change the look of one colour, at once, wherever it is on the screen.
+
+    Args:
+        index: the colour, 0..15.
+        color: a hardware colour: 0..63 on EGA and VGA (EGA_RED, EGA_YELLOW, ...; not YELLOW), and
+            0..15 on CGA, where only index 0 can change.
+
+    graphresult() says -11, and nothing changes, for anything else. Source: graphics.h.
+    """
+    current.screen.setpalette(index, color)
+
+
+def setallpalette(palette: palettetype | Sequence[Number]) -> None:
+    """Change the look of several colours at once.
+
+    Args:
+        palette: a palettetype, or hardware colours for colour 0, 1, ...; -1 leaves one as it is.
+
+    graphresult() says -11, and nothing changes, if any of them is illegal. Source: graphics.h.
+    """
+    current.screen.setallpalette(palette)
+
+
+def getpalette() -> palettetype:
+    """Return the hardware colours in use: size 16 on EGA and VGA, 1 on CGA. Source: graphics.h."""
+    return current.screen.getpalette()
+
+
+def setrgbpalette(index: Number, red: Number, green: Number, blue: Number) -> None:
+    """Mix a colour of your own on the VGA or the 8514.
+
+    Args:
+        index: on the VGA a *register* 0..255: colour i shows register getpalette().colors[i],
+            which is 20 for BROWN and 56..63 for DARKGRAY..WHITE; on the 8514 the colour itself.
+        red, green, blue: 0..63 on the VGA, 0..255 (upper six bits) on the 8514.
+
+    graphresult() says -11, and nothing changes, on other adapters. Source: graphics.h.
+    """
+    current.screen.setrgbpalette(index, red, green, blue)
+
+
+def writeimagefile(
+    filename: str | os.PathLike[str],
+    left: Number = 0,
+    top: Number = 0,
+    right: Number | None = None,
+    bottom: Number | None = None,
+) -> None:
+    """Save the active page, or a part of it, as a PNG with its palette.
+
+    Args:
+        filename: where to; an existing file is replaced.
+        left, top, right, bottom: the part, in screen coordinates; what lies outside is left out.
+
+    Raises OSError if the file cannot be written, ValueError if no part of the screen is meant.
+    Source: WinBGIm (which writes BMP).
+    """
+    current.screen.writeimagefile(filename, left, top, right, bottom)

@@ -1,0 +1,230 @@
+"""The video memory: colour indices, palette and visible page in one buffer that two processes map.
+
+The program writes, a monitor (`bgi.monitor`) looks. Neither waits for the other: there are no
+locks, a picture caught in the middle of a stroke is put right a sixtieth of a second later.
+
+The buffer is an anonymous file (Linux: memfd; elsewhere a temporary file already unlinked; Windows:
+a tagged mapping). It has no name that outlives its last user, so nothing can be left behind, not
+even when both processes are killed with SIGKILL. That is why this is not
+`multiprocessing.shared_memory`, whose names survive a killed process.
+
+Layout, little-endian, for whoever wants to write another monitor:
+
+    ======  ====  ======================================================================
+    offset  size  field
+    ======  ====  ======================================================================
+         0     8  magic, the bytes ``BGICARD`` and a zero
+         8     4  version of this layout: 1
+        12     4  width in pixels; 0 = no mode is set, show nothing
+        16     4  height in pixels
+        20     4  number of pages
+        24     4  bytes per pixel: 1
+        28     4  visible page, 0 ... pages - 1
+        32     4  changes: grows (modulo 2**32) with every change of mode or visible page
+        64   768  palette: 256 times red, green, blue
+      4096        pixels: page after page, rows from top to bottom, no padding
+    ======  ====  ======================================================================
+
+A change of mode writes the width last and sets it to 0 first. A monitor that finds the same header
+twice in a row has therefore not read half of one.
+"""
+
+import contextlib
+import mmap
+import os
+import secrets
+import struct
+import sys
+import tempfile
+import weakref
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+MAGIC = b"BGICARD\0"
+VERSION = 1
+PALETTE = 64
+PIXELS = 4096
+LARGEST = 4096  # no mode is wider or higher; a header that says so is damaged
+
+_HEADER = struct.Struct("<8s7I")  # magic and the seven numbers that follow it
+_U32 = struct.Struct("<I")
+_AT_WIDTH, _AT_HEIGHT, _AT_PAGES, _AT_VISIBLE, _AT_CHANGES = 12, 16, 20, 28, 32
+
+
+class Card:
+    """A graphics card: pages of pixels, 256 colours, and the number of the page that is shown.
+
+    `capacity` is the memory for pixels in bytes; the default holds two pages of 1024 x 768.
+    """
+
+    def __init__(self, capacity: int = 2 * 1024 * 768) -> None:
+        size = PIXELS + capacity
+        if sys.platform == "win32":
+            name = f"bgi-{os.getpid()}-{secrets.token_hex(8)}"
+            self._take(mmap.mmap(-1, size, tagname=name), f"tag:{name}:{size}", None)
+        else:
+            fd = _anonymous_file(size)
+            self._take(mmap.mmap(fd, size), f"fd:{fd}:{size}", fd)
+        _HEADER.pack_into(self._map, 0, MAGIC, VERSION, 0, 0, 0, 1, 0, 0)
+
+    @classmethod
+    def attach(cls, handle: str) -> Self:
+        """Map the card of another process, given its `handle`: the monitor's side.
+
+        Raises ValueError when the handle is malformed or what it names is not a card.
+        """
+        kind, _, rest = handle.partition(":")
+        name, _, digits = rest.rpartition(":")
+        if kind not in ("fd", "tag") or not name or not digits.isdecimal():
+            raise ValueError(f"not the handle of a graphics card: {handle!r}")
+        size = int(digits)
+        if size < PIXELS:
+            raise ValueError(f"{handle!r} is too small to be a graphics card")
+        card = cls.__new__(cls)
+        if sys.platform == "win32":
+            card._take(mmap.mmap(-1, size, tagname=name), handle, None)
+        else:
+            card._take(_map_descriptor(int(name), size, handle), handle, int(name))
+        magic, version = _HEADER.unpack_from(card._map)[:2]
+        if (magic, version) != (MAGIC, VERSION):
+            card.close()
+            raise ValueError(f"{handle!r} is not a graphics card of version {VERSION}")
+        return card
+
+    def _take(self, memory: mmap.mmap, handle: str, fd: int | None) -> None:
+        self._map = memory
+        self.handle = handle  # for the command line of a monitor
+        self.inherit = () if fd is None else (fd,)  # for the pass_fds of subprocess
+        self._release = weakref.finalize(self, _close_all, self.inherit)
+
+    def set_mode(self, width: int, height: int, pages: int) -> None:
+        """Give the memory a new shape, all pixels 0, page 0 visible; the palette stays.
+
+        Raises ValueError when the mode does not fit into the card.
+        """
+        used = width * height * pages
+        if not (0 < width <= LARGEST and 0 < height <= LARGEST and pages > 0):
+            raise ValueError(f"no mode has {pages} pages of {width} x {height} pixels")
+        if used > self.capacity:
+            raise ValueError(
+                f"{pages} pages of {width} x {height} pixels need {used} bytes, "
+                f"the card has {self.capacity}"
+            )
+        self._set(_AT_WIDTH, 0)
+        self._map[PIXELS : PIXELS + used] = bytes(used)
+        self._set(_AT_HEIGHT, height)
+        self._set(_AT_PAGES, pages)
+        self._set(_AT_VISIBLE, 0)
+        self.touch()
+        self._set(_AT_WIDTH, width)
+
+    @property
+    def capacity(self) -> int:
+        """The memory for pixels, in bytes."""
+        return len(self._map) - PIXELS
+
+    @property
+    def width(self) -> int:
+        """The width of the mode in pixels; 0 before `set_mode`."""
+        return self._get(_AT_WIDTH)
+
+    @property
+    def height(self) -> int:
+        """The height of the mode in pixels."""
+        return self._get(_AT_HEIGHT)
+
+    @property
+    def pages(self) -> int:
+        """The number of pages."""
+        return self._get(_AT_PAGES)
+
+    @property
+    def changes(self) -> int:
+        """How often mode or visible page changed, modulo 2**32."""
+        return self._get(_AT_CHANGES)
+
+    @property
+    def visible(self) -> int:
+        """The number of the page on show."""
+        return self._get(_AT_VISIBLE)
+
+    @visible.setter
+    def visible(self, number: int) -> None:
+        self._set(_AT_VISIBLE, self._existing(number))
+        self.touch()
+
+    def touch(self) -> None:
+        """Count one more change."""
+        self._set(_AT_CHANGES, (self.changes + 1) & 0xFFFFFFFF)
+
+    @property
+    def palette(self) -> npt.NDArray[np.uint8]:
+        """The colours as a (256, 3) array of red, green, blue: a view, write to it."""
+        return np.frombuffer(self._map, np.uint8, 768, PALETTE).reshape(256, 3)
+
+    def page(self, number: int) -> memoryview:
+        """The bytes of one page, writable, row by row; ValueError if there is no such page."""
+        size = self.width * self.height
+        start = PIXELS + self._existing(number) * size
+        return memoryview(self._map)[start : start + size]
+
+    def frame(self) -> tuple[int, int, bytes] | None:
+        """What to show now: width, height and a copy of the visible page; None for nothing.
+
+        For monitors: believes nothing in the header that it has not checked.
+        """
+        header = _HEADER.unpack_from(self._map)
+        _, _, width, height, pages, _, visible, _ = header
+        size = width * height
+        if not (0 < width <= LARGEST and 0 < height <= LARGEST and visible < pages):
+            return None
+        if size * pages > self.capacity or header != _HEADER.unpack_from(self._map):
+            return None
+        start = PIXELS + visible * size
+        return width, height, self._map[start : start + size]
+
+    def close(self) -> None:
+        """Let go of the memory; views that somebody still holds stay valid until dropped."""
+        # A view somebody holds keeps the mapping: the garbage collector will end it with the view.
+        with contextlib.suppress(BufferError):
+            self._map.close()
+        self._release()
+
+    def _get(self, offset: int) -> int:
+        number: int = _U32.unpack_from(self._map, offset)[0]
+        return number
+
+    def _set(self, offset: int, number: int) -> None:
+        _U32.pack_into(self._map, offset, number)
+
+    def _existing(self, number: int) -> int:
+        if not 0 <= number < self.pages:
+            raise ValueError(f"there is no page {number}; the mode has {self.pages}")
+        return number
+
+
+def _anonymous_file(size: int) -> int:
+    """A descriptor of `size` zero bytes that have no name in any directory."""
+    if sys.platform == "linux":
+        fd = os.memfd_create("bgi-card")
+        os.truncate(fd, size)
+        return fd
+    with tempfile.TemporaryFile() as file:
+        # Written, not just truncated: a full disk must be found out here, not at some later pixel.
+        file.write(bytes(size))
+        file.flush()
+        return os.dup(file.fileno())
+
+
+def _map_descriptor(fd: int, size: int, handle: str) -> mmap.mmap:
+    try:
+        return mmap.mmap(fd, size)
+    except (OSError, ValueError) as error:
+        raise ValueError(f"cannot map the graphics card {handle!r}: {error}") from None
+
+
+def _close_all(descriptors: tuple[int, ...]) -> None:
+    for fd in descriptors:
+        os.close(fd)

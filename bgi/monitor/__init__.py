@@ -1,0 +1,75 @@
+"""Monitors: what shows the card's memory and sends keys back, and the choice between them.
+
+A monitor is anything that keeps the contract `Monitor`. `link.Window` is a window, drawn by the
+child process `window.py`; `headless.Headless` shows nothing.
+"""
+
+import functools
+import os
+import sys
+from collections.abc import Callable
+from typing import Protocol
+
+from bgi.card import Card
+from bgi.errors import BGIError
+from bgi.monitor.headless import Headless
+from bgi.monitor.link import Window
+
+__all__ = ["Headless", "Monitor", "Window", "choose"]
+
+
+class Monitor(Protocol):
+    """What a program may ask of a monitor; any of it raises BGIError once the monitor is lost."""
+
+    def show(self) -> None:
+        """Return when the visible page, as it is now, has been shown."""
+
+    def key_waiting(self) -> bool:
+        """Whether `read_key` would return at once."""
+
+    def read_key(self) -> int:
+        """Wait for a key and return its code; keys without a character are 0, then a scan code."""
+
+    def sleep(self, milliseconds: float) -> None:
+        """Let so much time pass."""
+
+    def set_title(self, title: str) -> None:
+        """Name the window."""
+
+    def close(self) -> None:
+        """Let go of everything; a second time does nothing. Never raises."""
+
+
+def choose(
+    card: Card, title: str = "pybgi", on_lost: Callable[[BGIError], None] = lambda error: None
+) -> Monitor:
+    """The monitor that BGI_MONITOR names, or a window where there is a display.
+
+    `on_lost` is called, from another thread, with the error that every call raises from then on:
+    when the user closes the window or its process dies. ValueError if BGI_MONITOR is neither
+    `window` nor `none`; BGIError if the window cannot be opened.
+    """
+    wish = os.environ.get("BGI_MONITOR", "")
+    if wish not in ("", "window", "none"):
+        raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window' or 'none'")
+    if wish == "window" or (not wish and _display_exists()):
+        return Window(card, title, on_lost)
+    if not wish:
+        _say_that_there_is_no_display()
+    return Headless(title=title)
+
+
+def _display_exists() -> bool:
+    # SDL alone would not tell: without a display it draws into the void.
+    return sys.platform in ("win32", "darwin") or any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")
+    )
+
+
+@functools.cache  # once is enough
+def _say_that_there_is_no_display() -> None:
+    print(
+        "bgi: no display found, drawing goes on without a window "
+        "(for a window set DISPLAY or use ssh -X; BGI_MONITOR=none silences this line)",
+        file=sys.stderr,
+    )

@@ -1,0 +1,46 @@
+"""What crosses between program and window: lines of text, a word and its arguments.
+
+======================  ===========================================================
+to the window           meaning
+======================  ===========================================================
+``show N``              show the visible page now, answer ``shown N``
+``title TEXT``          name the window
+(end of input)          the program has ended: go
+======================  ===========================================================
+
+======================  ===========================================================
+to the program          meaning
+======================  ===========================================================
+``ready``               the window is open
+``failed REASON``       there is no window
+``key A`` ``key 0 S``   a key was pressed: the bytes of `bgi.keyboard.encode`
+``shown N PRESENTS``    picture N is on show; so many were presented since the start
+``closed``              the user has closed the window
+======================  ===========================================================
+"""
+
+import os
+from collections.abc import Iterator
+
+
+def encode(word: str, *arguments: object) -> bytes:
+    """A message as one line of ASCII, whatever its text contains."""
+    return " ".join((word, *map(str, arguments))).encode("unicode_escape") + b"\n"
+
+
+def decode(line: bytes) -> tuple[str, str]:
+    """The word and the rest of a line; never fails, an unknown word is the reader's to ignore."""
+    word, _, rest = line.decode("unicode_escape", "replace").partition(" ")
+    return word, rest
+
+
+def receive(fd: int) -> Iterator[tuple[str, str]]:
+    """The messages from a pipe until it ends.
+
+    Read with os.read: a buffered file has a lock, and a thread that holds it while the interpreter
+    shuts down is a fatal error.
+    """
+    pending = b""
+    while chunk := os.read(fd, 4096):
+        *lines, pending = (pending + chunk).split(b"\n")
+        yield from map(decode, lines)

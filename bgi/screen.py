@@ -1,0 +1,233 @@
+"""Class Screen: a graphics mode and everything that is *set* in it; class Graphics draws.
+
+Its mode and pages of video memory, palette, viewport, current position, colours and styles. A
+method here is one call of graphics.h; `bgi.api` says what each means.
+"""
+
+from collections.abc import Sequence
+
+from bgi.arguments import Number, whole
+from bgi.card import Card
+from bgi.constants import (
+    EMPTY_FILL,
+    NORM_WIDTH,
+    SOLID_LINE,
+    THICK_WIDTH,
+    USER_FILL,
+    USERBIT_LINE,
+    grError,
+)
+from bgi.errors import result
+from bgi.modes import GraphicsMode
+from bgi.monitor import Monitor
+from bgi.monitor.headless import Headless
+from bgi.page import Page
+from bgi.palette import Palette
+from bgi.raster.patterns import FILL_PATTERNS, LINE_PATTERNS, line_mask
+from bgi.settings import (
+    Settings,
+    fillsettingstype,
+    linesettingstype,
+    palettetype,
+    viewporttype,
+)
+
+
+class Screen:
+    """One graphics screen: tests and programs may hold several at once."""
+
+    def __init__(
+        self, mode: GraphicsMode, card: Card | None = None, monitor: Monitor | None = None
+    ) -> None:
+        """Enter `mode` on a card watched by a monitor: by default one of its own, and none."""
+        self.card = card or Card()
+        self.monitor = monitor or Headless()
+        self.enter(mode)
+
+    def enter(self, mode: GraphicsMode) -> None:
+        """Set a mode: clears the pages, everything back to its default."""
+        self.mode = mode
+        self._mask = mode.maxcolor
+        self.card.set_mode(mode.width, mode.height, mode.pages)
+        self.pages = [Page(self.card.page(n), mode.width, mode.height) for n in range(mode.pages)]
+        self.palette = Palette(mode, self.card.palette)
+        self._active = 0
+        self.page = self.pages[0]
+        self.graphdefaults()
+
+    def graphdefaults(self) -> None:
+        """Settings, palette, viewport and current position as after initgraph."""
+        self.settings = Settings.defaults(self.mode.maxcolor, self.mode.width, self.mode.height)
+        self.palette.reset()
+        self._use_viewport()
+        self._use_line_settings()
+
+    # The screen
+
+    def getmaxx(self) -> int:
+        """The largest x of the screen."""
+        return self.mode.width - 1
+
+    def getmaxy(self) -> int:
+        """The largest y of the screen."""
+        return self.mode.height - 1
+
+    def getmaxcolor(self) -> int:
+        """The largest colour index."""
+        return self.mode.maxcolor
+
+    def cleardevice(self) -> None:
+        """Clear the active page to index 0; current position to 0, 0."""
+        self.page.clear()
+        self.settings.x = self.settings.y = 0
+
+    # Viewport and current position
+
+    def setviewport(
+        self, left: Number, top: Number, right: Number, bottom: Number, clip: Number
+    ) -> None:
+        """Set the viewport (absolute corners); -11 unless it lies within the screen."""
+        left, top = whole("left", left), whole("top", top)
+        right, bottom = whole("right", right), whole("bottom", bottom)
+        clip = whole("clip", clip)
+        if not (0 <= left <= right < self.mode.width and 0 <= top <= bottom < self.mode.height):
+            result.set(grError)
+            return
+        self.settings.view = viewporttype(left, top, right, bottom, clip)
+        self.settings.x = self.settings.y = 0
+        self._use_viewport()
+
+    def _use_viewport(self) -> None:
+        view = self.settings.view
+        self._dx, self._dy = self._origin = view.left, view.top
+        if view.clip:
+            self.page.clip_to((view.left, view.top, view.right, view.bottom))
+        else:
+            self.page.clip_to((0, 0, self.mode.width - 1, self.mode.height - 1))
+
+    def clearviewport(self) -> None:
+        """Clear the viewport to index 0, whatever clip is; current position to 0, 0."""
+        view = self.settings.view
+        self.page.fill((view.left, view.top, view.right, view.bottom), 0)
+        self.settings.x = self.settings.y = 0
+
+    def moveto(self, x: Number, y: Number) -> None:
+        """Set the current position."""
+        self.settings.x, self.settings.y = whole("x", x), whole("y", y)
+
+    def moverel(self, dx: Number, dy: Number) -> None:
+        """Shift the current position."""
+        x, y = whole("dx", dx), whole("dy", dy)
+        self.settings.x += x
+        self.settings.y += y
+
+    def getx(self) -> int:
+        """The current position's x."""
+        return self.settings.x
+
+    def gety(self) -> int:
+        """The current position's y."""
+        return self.settings.y
+
+    # Pages
+
+    def setactivepage(self, page: Number) -> None:
+        """Draw on that page from now on; an unknown page is ignored."""
+        number = whole("page", page)
+        if 0 <= number < len(self.pages):
+            self._active = number
+            self.page = self.pages[number]
+            self._use_viewport()
+
+    def setvisualpage(self, page: Number) -> None:
+        """Show that page; an unknown page is ignored."""
+        number = whole("page", page)
+        if 0 <= number < len(self.pages):
+            self.card.visible = number
+
+    def swapbuffers(self) -> None:
+        """Show the active page and draw on the other; returns when it has been shown."""
+        self.card.visible = self._active
+        self.setactivepage(1 if self._active == 0 else 0)
+        self.monitor.show()
+
+    # Colours and palette
+
+    def setcolor(self, color: Number) -> None:
+        """Set the drawing colour, masked to the mode's depth."""
+        self.settings.color = whole("color", color) & self.mode.maxcolor
+
+    def getcolor(self) -> int:
+        """The drawing colour."""
+        return self.settings.color
+
+    def setbkcolor(self, color: Number) -> None:
+        """Give index 0 the colour of entry `color`, at once, everywhere."""
+        self.palette.set_background(whole("color", color) & max(15, self.mode.maxcolor))
+
+    def getbkcolor(self) -> int:
+        """The number last given to setbkcolor."""
+        return self.palette.background
+
+    def setpalette(self, index: Number, color: Number) -> None:
+        """Give a palette entry a hardware colour; -11 where the adapter cannot."""
+        if not self.palette.set(whole("index", index), whole("color", color)):
+            result.set(grError)
+
+    def setallpalette(self, palette: palettetype | Sequence[Number]) -> None:
+        """Set the first entries of the palette, -1 leaving one; -11 and nothing if any is bad."""
+        given = palette.colors[: palette.size] if isinstance(palette, palettetype) else palette
+        colors = [whole(f"palette[{i}]", color) for i, color in enumerate(given)]
+        if not self.palette.set_all({i: c for i, c in enumerate(colors) if c != -1}):
+            result.set(grError)
+
+    def getpalette(self) -> palettetype:
+        """The hardware colours of the palette."""
+        return palettetype(self.palette.size, self.palette.values[: self.palette.size])
+
+    def setrgbpalette(self, index: Number, red: Number, green: Number, blue: Number) -> None:
+        """Load a register of the VGA's DAC, or an entry of the 8514's palette; else -11."""
+        rgb = whole("red", red), whole("green", green), whole("blue", blue)
+        if not self.palette.set_rgb(whole("index", index), *rgb):
+            result.set(grError)
+
+    # Styles
+
+    def setlinestyle(self, style: Number, pattern: Number, width: Number) -> None:
+        """Set line style, user pattern and width; -11 and no change if either is unknown."""
+        number, bits = whole("style", style), whole("pattern", pattern) & 0xFFFF
+        thickness = whole("width", width)
+        known = SOLID_LINE <= number <= USERBIT_LINE and thickness in (NORM_WIDTH, THICK_WIDTH)
+        if not known:
+            result.set(grError)
+            return
+        if number != USERBIT_LINE:
+            bits = LINE_PATTERNS[number]
+        self.settings.line = linesettingstype(number, bits, thickness)
+        self._use_line_settings()
+
+    def setwritemode(self, mode: Number) -> None:
+        """COPY_PUT or XOR_PUT for lines; only bit 0 counts, as in Borland's driver."""
+        self.settings.writemode = whole("mode", mode) & 1
+        self._use_line_settings()
+
+    def _use_line_settings(self) -> None:
+        line = self.settings.line
+        self._pattern = line_mask(line.upattern)
+        self._thick = line.thickness == THICK_WIDTH
+        self._xor = bool(self.settings.writemode)
+        self._solid = line.upattern == 0xFFFF and not self._xor
+        self._plain = self._solid and not self._thick
+
+    def setfillstyle(self, pattern: Number, color: Number) -> None:
+        """Set fill pattern and colour; -11 and no change if either is unknown.
+
+        USER_FILL selects the pattern last given to setfillpattern().
+        """
+        number, index = whole("pattern", pattern), whole("color", color)
+        if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self.mode.maxcolor):
+            result.set(grError)
+            return
+        self.settings.fill = fillsettingstype(number, index)
+        user = number == USER_FILL
+        self.settings.fill_rows = self.settings.user_rows if user else FILL_PATTERNS[number]

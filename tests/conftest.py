@@ -1,0 +1,43 @@
+"""Every test runs without a display; those that want a window say so and start their own."""
+
+import os
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ["BGI_MONITOR"] = "none"
+os.environ.pop("BGI_KEYS", None)
+
+from collections.abc import Callable, Iterator
+
+import pytest
+
+import bgi
+from bgi.errors import result
+from bgi.graphics import Graphics
+from bgi.modes import find
+
+
+@pytest.fixture(autouse=True)
+def _fresh() -> Iterator[None]:
+    """Begin and end each test without a screen and without an error code."""
+    result.take()
+    yield
+    bgi.closegraph()
+    result.take()
+
+
+@pytest.fixture
+def new_screen() -> Callable[..., Graphics]:
+    """A function that makes a screen of its own: new_screen(VGA, VGAHI)."""
+
+    def make(driver: int = bgi.VGA, mode: int = bgi.VGAHI) -> Graphics:
+        found = find(driver, mode)
+        assert found is not None
+        return Graphics(found)
+
+    return make
+
+
+@pytest.fixture
+def vga(new_screen: Callable[..., Graphics]) -> Graphics:
+    """A fresh 640x480 screen of 16 colours."""
+    return new_screen()

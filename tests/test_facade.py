@@ -1,0 +1,85 @@
+"""The façade: written out, documented, and one with class Graphics."""
+
+import ast
+import inspect
+from pathlib import Path
+
+import pytest
+
+import bgi
+from bgi import api
+from bgi.graphics import Graphics
+
+API = Path(api.__file__).parent
+FUNCTIONS = {
+    node.name
+    for path in API.glob("*.py")
+    for node in ast.parse(path.read_text(encoding="utf-8")).body
+    if isinstance(node, ast.FunctionDef)
+}
+DRAWING = sorted(FUNCTIONS & set(dir(Graphics)))
+
+
+def test_everything_is_exported():
+    assert set(bgi.__all__) >= FUNCTIONS
+    assert all(hasattr(bgi, name) for name in bgi.__all__)
+    assert len(bgi.__all__) == len(set(bgi.__all__))
+
+
+def test_star_import_shadows_nothing_of_python():
+    import builtins
+
+    assert not set(bgi.__all__) & set(dir(builtins))
+
+
+@pytest.mark.parametrize("name", DRAWING)
+def test_same_signature_as_the_method(name):
+    method = list(inspect.signature(getattr(Graphics, name)).parameters.values())[1:]
+    function = list(inspect.signature(getattr(bgi, name)).parameters.values())
+    assert [(p.name, p.default, p.annotation) for p in function] == [
+        (p.name, p.default, p.annotation) for p in method
+    ]
+
+
+@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+def test_docstring_tells_a_learner(name):
+    text = inspect.getdoc(getattr(bgi, name))
+    first = text.split("\n\n")[0].replace("\n", " ")
+    assert first.endswith("."), first
+    assert "Source:" in text
+    for parameter in inspect.signature(getattr(bgi, name)).parameters:
+        assert parameter in text, f"{name} does not explain {parameter}"
+
+
+CALLS = {
+    name: [1]
+    * len(
+        [
+            p
+            for p in inspect.signature(getattr(bgi, name)).parameters.values()
+            if p.default is p.empty
+        ]
+    )
+    for name in DRAWING
+}
+CALLS |= {
+    "outtext": ["a"],
+    "outtextxy": [1, 1, "a"],
+    "textwidth": ["a"],
+    "textheight": ["a"],
+    "drawpoly": [[(1, 1), (2, 2)]],
+    "fillpoly": [[(1, 1), (2, 2)]],
+    "setallpalette": [[1, 2]],
+    "writeimagefile": ["/nonexistent/x.png"],
+}
+
+
+@pytest.mark.parametrize("name", [*DRAWING, "kbhit", "getch", "setgraphmode", "restorecrtmode"])
+def test_before_initgraph_and_after_closegraph(name):
+    arguments = CALLS.get(name, [0] if name == "setgraphmode" else [])
+    with pytest.raises(bgi.BGIError, match=r"Graphics not initialized \(use 'initgraph'\)"):
+        getattr(bgi, name)(*arguments)
+    bgi.initgraph()
+    bgi.closegraph()
+    with pytest.raises(bgi.BGIError, match="Graphics not initialized"):
+        getattr(bgi, name)(*arguments)

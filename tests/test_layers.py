@@ -1,0 +1,119 @@
+"""The house rules: a file imports only from what stands above it, and one file sets pixels."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+
+# From the foundation up; entries ending in a dot stand for a package's modules.
+LAYERS = [
+    "bgi.constants",
+    "bgi.errors",
+    "bgi.modes",
+    "bgi.palette",
+    "bgi.raster.lines",
+    "bgi.raster.patterns",
+    "bgi.raster.curves",
+    "bgi.raster.polygons",
+    "bgi.sdl",
+    "bgi.page",
+    "bgi.imagefile",
+    "bgi.fonts.",
+    "bgi.settings",
+    "bgi.card",
+    "bgi.keyboard",
+    "bgi.monitor.protocol",
+    "bgi.monitor.",
+    "bgi.arguments",
+    "bgi.screen",
+    "bgi.graphics",
+    "bgi.current",
+    "bgi.conio",
+    "bgi.dos",
+    "bgi.api.",
+    "bgi",
+    "surfaces.transforms",
+    "surfaces.mapping",
+    "surfaces.grid",
+    "surfaces.hidden",
+    "surfaces.colours",
+    "surfaces.functions",
+    "surfaces.pen",
+    "surfaces.plot",
+    "surfaces",
+    "demos.",
+]
+
+
+def modules():
+    """Every module of the project: its dotted name and its file."""
+    for package in ("bgi", "surfaces"):
+        for path in sorted((ROOT / package).rglob("*.py")):
+            yield ".".join(path.relative_to(ROOT).with_suffix("").parts), path
+
+
+def floor(name):
+    """The layer a module stands on."""
+    name = name.removesuffix(".__init__").removesuffix(".__main__")
+    exact = [i for i, layer in enumerate(LAYERS) if layer == name]
+    inside = [
+        i for i, layer in enumerate(LAYERS) if f"{name}.".startswith(layer) and layer.endswith(".")
+    ]
+    assert exact or inside, f"{name} has no place in LAYERS"
+    return (exact or inside)[0]
+
+
+def imports(path):
+    """The project's modules that a file imports."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: write absolute imports"
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for name in names:
+            found = [m for m, _ in MODULES if name == m or name.startswith(f"{m}.")]
+            yield from [max(found, key=len)] if found else []
+
+
+MODULES = [(name.removesuffix(".__init__"), path) for name, path in modules()]
+
+
+@pytest.mark.parametrize("name, path", MODULES, ids=[name for name, _ in MODULES])
+def test_imports_point_up(name, path):
+    for imported in imports(path):
+        assert floor(imported) <= floor(name), f"{name} may not import {imported}"
+
+
+def test_surfaces_meets_bgi_in_one_file():
+    users = [
+        name
+        for name, path in MODULES
+        if name.startswith("surfaces") and any(i.split(".")[0] == "bgi" for i in imports(path))
+    ]
+    assert users == ["surfaces.pen"]
+
+
+def test_raster_is_pure():
+    for name, path in MODULES:
+        if name.startswith("bgi.raster"):
+            assert not re.search(r"pygame|bgi\.(page|settings|graphics)", path.read_text()), name
+
+
+def test_only_the_page_sets_pixels():
+    """No other drawing module writes into pixel memory."""
+    for name, path in MODULES:
+        if name.startswith("bgi.") and name != "bgi.page":
+            text = path.read_text()
+            assert not re.search(r"\.(flat|array)\[.*\] *[\^|&]?=[^=]", text), name
+            assert "pygame.draw" not in text, name
+
+
+def test_no_module_is_long():
+    for name, path in MODULES:
+        assert len(path.read_text().splitlines()) <= 450 or name == "bgi", name
