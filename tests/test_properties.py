@@ -142,7 +142,7 @@ WRONG = ["12", None, float("nan"), float("inf"), {}, object(), b"1", 1j]
 
 
 @pytest.mark.parametrize("name", [*NUMBERS, "getpixel", "moveto", "setviewport", "setcolor"])
-@pytest.mark.parametrize("wrong", WRONG, ids=repr)
+@pytest.mark.parametrize("wrong", WRONG, ids=lambda value: type(value).__name__)
 def test_a_wrong_argument_is_named_and_changes_nothing(name, wrong):
     count = {"getpixel": 2, "moveto": 2, "setviewport": 5, "setcolor": 1}.get(name, 0)
     for place in range(count or NUMBERS[name]):
@@ -230,6 +230,15 @@ def test_pygames_line_in_every_slope():
             made.line(50, 35, 50 + dx, 35 + dy)
             traced.putpixel(*trace(50, 35, 50 + dx, 35 + dy), 14)
             assert (made.page.array == traced.page.array).all(), (dx, dy)
+
+
+def test_a_clipped_end_is_moved_before_the_other_one():
+    """Moving the first end shows that the line misses the viewport: nothing may be drawn."""
+    one, many = screen(background=False), screen(background=False)
+    one.line(-1, 0, 0, BOTTOM - TOP + 1)
+    many.line([-1], 0, 0, BOTTOM - TOP + 1)
+    assert not one.page.array.any()
+    assert not many.page.array.any()
 
 
 def test_graphresult_is_sticky_until_read():

@@ -79,25 +79,29 @@ def clip_many(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]
         if outside.any():
             stay = ~outside
             x1, y1, x2, y2, dx, dy, kept = (a[stay] for a in (x1, y1, x2, y2, dx, dy, kept))
-        moved1 = _moved(x1, y1, dx, dy, box)
-        moved2 = _moved(x2, y2, dx, dy, box)
-        if moved1 is None and moved2 is None:
+        out1, out2 = _outside(x1, y1, box), _outside(x2, y2, box)
+        if not (out1.any() or out2.any()):
             return (x1, y1, x2, y2), kept
-        x1, y1 = moved1 or (x1, y1)
-        x2, y2 = moved2 or (x2, y2)
-    inside = (left <= x1) & (x1 <= right) & (top <= y1) & (y1 <= bottom)
-    inside &= (left <= x2) & (x2 <= right) & (top <= y2) & (y2 <= bottom)
+        # Like `clip`, one move a round, the first end's before the second's.
+        x1, y1 = _moved(x1, y1, dx, dy, out1, box)
+        x2, y2 = _moved(x2, y2, dx, dy, out2 & ~out1, box)
+    inside = ~(_outside(x1, y1, box) | _outside(x2, y2, box))
     return (x1[inside], y1[inside], x2[inside], y2[inside]), kept[inside]
 
 
-def _moved(x: Ints, y: Ints, dx: Ints, dy: Ints, box: Box) -> tuple[Ints, Ints] | None:
+def _outside(x: Ints, y: Ints, box: Box) -> NDArray[np.bool_]:
     left, top, right, bottom = box
-    ahead = np.clip(x, left, right) - x
-    down = np.where(ahead == 0, np.clip(y, top, bottom) - y, 0)
-    if not (ahead.any() or down.any()):
-        return None
-    across = toward_zero(down * dx, dy)
-    return x + ahead + across, y + down + toward_zero(ahead * dy, dx)
+    beyond: NDArray[np.bool_] = (x < left) | (x > right) | (y < top) | (y > bottom)
+    return beyond
+
+
+def _moved(
+    x: Ints, y: Ints, dx: Ints, dy: Ints, wanted: NDArray[np.bool_], box: Box
+) -> tuple[Ints, Ints]:
+    left, top, right, bottom = box
+    ahead = np.where(wanted, np.clip(x, left, right) - x, 0)
+    down = np.where(wanted & (ahead == 0), np.clip(y, top, bottom) - y, 0)
+    return x + ahead + toward_zero(down * dx, dy), y + down + toward_zero(ahead * dy, dx)
 
 
 def trace(x1: int, y1: int, x2: int, y2: int) -> tuple[Ints, Ints]:
