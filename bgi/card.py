@@ -32,10 +32,8 @@ twice in a row has therefore not read half of one.
 import contextlib
 import mmap
 import os
-import secrets
 import struct
 import sys
-import tempfile
 import weakref
 from typing import Self
 
@@ -62,7 +60,7 @@ class Card:
     def __init__(self, capacity: int = 2 * 1024 * 768) -> None:
         size = PIXELS + capacity
         if sys.platform == "win32":
-            name = f"bgi-{os.getpid()}-{secrets.token_hex(8)}"
+            name = f"bgi-{os.getpid()}-{os.urandom(8).hex()}"
             self._take(mmap.mmap(-1, size, tagname=name), f"tag:{name}:{size}", None)
         else:
             fd = _anonymous_file(size)
@@ -86,7 +84,7 @@ class Card:
         if sys.platform == "win32":
             card._take(mmap.mmap(-1, size, tagname=name), handle, None)
         else:
-            card._take(_map_descriptor(int(name), size, handle), handle, int(name))
+            card._take(_map_descriptor(name, size), handle, int(name))
         magic, version = _HEADER.unpack_from(card._map)[:2]
         if (magic, version) != (MAGIC, VERSION):
             card.close()
@@ -96,7 +94,8 @@ class Card:
     def _take(self, memory: mmap.mmap, handle: str, fd: int | None) -> None:
         self._map = memory
         self.handle = handle  # for the command line of a monitor
-        self.inherit = () if fd is None else (fd,)  # for the pass_fds of subprocess
+        # For the pass_fds of subprocess.
+        self.inherit: tuple[int, ...] = () if fd is None else (fd,)
         self._release = weakref.finalize(self, _close_all, self.inherit)
 
     def set_mode(self, width: int, height: int, pages: int) -> None:
@@ -211,6 +210,9 @@ def _anonymous_file(size: int) -> int:
         fd = os.memfd_create("bgi-card")
         os.truncate(fd, size)
         return fd
+    # Imported late: it imports random, and many a program has a random.py of its own beside it.
+    import tempfile
+
     with tempfile.TemporaryFile() as file:
         # Written, not just truncated: a full disk must be found out here, not at some later pixel.
         file.write(bytes(size))
@@ -218,11 +220,11 @@ def _anonymous_file(size: int) -> int:
         return os.dup(file.fileno())
 
 
-def _map_descriptor(fd: int, size: int, handle: str) -> mmap.mmap:
+def _map_descriptor(number: str, size: int) -> mmap.mmap:
     try:
-        return mmap.mmap(fd, size)
+        return mmap.mmap(int(number), size)
     except (OSError, ValueError) as error:
-        raise ValueError(f"cannot map the graphics card {handle!r}: {error}") from None
+        raise ValueError(f"cannot map descriptor {number!r} as a graphics card: {error}") from None
 
 
 def _close_all(descriptors: tuple[int, ...]) -> None:

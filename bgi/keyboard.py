@@ -132,7 +132,7 @@ def encode(key: int, mods: int, unicode: str) -> bytes:
 
 def _modifier(key: int, mods: int, unicode: str) -> int:
     # AltGr (on Windows it comes as Ctrl and right Alt) writes characters: it is no Alt then.
-    if mods & pygame.KMOD_RALT and unicode and unicode.lower() != chr(key):
+    if mods & pygame.KMOD_RALT and unicode and [*map(ord, unicode.lower())] != [key]:
         return _PLAIN
     # The order in which the BIOS asks.
     if mods & pygame.KMOD_ALT:

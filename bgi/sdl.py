@@ -6,7 +6,7 @@ and uninstalling either breaks the other.
 
 import os
 import warnings
-from importlib import metadata
+from pathlib import Path
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
@@ -15,19 +15,17 @@ import pygame as pygame
 __all__ = ["pygame"]
 
 
-def warn_of_twins() -> None:
-    """Warn when the other distribution of pygame is installed beside the one imported."""
-    other = "pygame" if getattr(pygame, "IS_CE", False) else "pygame-ce"
-    try:
-        metadata.distribution(other)
-    except metadata.PackageNotFoundError:
-        return
-    warnings.warn(
-        "pygame and pygame-ce are both installed and overwrite each other; "
-        "type: pip uninstall -y pygame pygame-ce && pip install pygame-ce",
-        RuntimeWarning,
-        stacklevel=2,
-    )
+def warn_of_twins(folder: Path) -> None:
+    """Warn when both distributions have been installed into `folder`."""
+    # importlib.metadata could tell too, but it imports random and half the standard library, and
+    # many a program has a random.py of its own beside it.
+    if all(any(folder.glob(f"{name}-*-info")) for name in ("pygame", "pygame_ce")):
+        warnings.warn(
+            "pygame and pygame-ce are both installed and overwrite each other; "
+            "type: pip uninstall -y pygame pygame-ce && pip install pygame-ce",
+            RuntimeWarning,
+            stacklevel=2,
+        )
 
 
-warn_of_twins()
+warn_of_twins(Path(pygame.__file__).parents[1])

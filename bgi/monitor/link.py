@@ -1,0 +1,188 @@
+"""The program's side of the window: starts the child process and talks to it through two pipes.
+
+A thread listens to the child. When the window is lost it wakes whatever waits, and from then on
+every call raises.
+"""
+
+import atexit
+import contextlib
+import math
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from bgi.card import Card
+from bgi.errors import BGIError, WindowClosed
+from bgi.keyboard import KeyQueue
+from bgi.monitor.protocol import encode, receive
+
+START_SECONDS = 60  # the very first import of pygame on a slow disk takes long
+END_SECONDS = 1
+# Waits are cut into pieces: on Windows Ctrl-C is heard only between two of them.
+PIECE_SECONDS = 0.1
+
+
+class Window:
+    """The monitor that is a window; it is open when the constructor returns.
+
+    `on_lost` is called once, from another thread, with the error that every call raises from then
+    on. Raises BGIError when the window cannot be opened.
+    """
+
+    def __init__(
+        self,
+        card: Card,
+        title: str = "pybgi",
+        on_lost: Callable[[BGIError], None] = lambda error: None,
+    ) -> None:
+        self.presents = 0  # how many pictures the window has put on the screen
+        self._on_lost = on_lost
+        self._owner = os.getpid()
+        self._keys = KeyQueue()
+        self._news = threading.Condition()
+        self._error: BGIError | None = None
+        self._ready = False
+        self._asked = 0
+        self._answered = 0
+        self._process = _start(card)
+        assert self._process.stdin and self._process.stdout
+        self._input, self._output = self._process.stdin, self._process.stdout
+        self._listener = threading.Thread(target=self._listen, name="bgi window", daemon=True)
+        self._listener.start()
+        atexit.register(self.close)
+        try:
+            self.set_title(title)
+            if not self._wait(lambda: self._ready, time.monotonic() + START_SECONDS):
+                raise BGIError(f"the window did not open within {START_SECONDS} seconds")
+        except BaseException:
+            self.close()
+            raise
+
+    def show(self) -> None:
+        """Return when the visible page, as it is now, has been shown."""
+        self._check()
+        with self._news:
+            self._asked += 1
+            number = self._asked
+        self._send("show", number)
+        self._wait(lambda: self._answered >= number)
+
+    def key_waiting(self) -> bool:
+        """Whether `read_key` would return at once."""
+        self._check()
+        return self._keys.waiting()
+
+    def read_key(self) -> int:
+        """Wait for a key and return its code; keys without a character are 0, then a scan code."""
+        self._check()
+        return self._keys.get()
+
+    def sleep(self, milliseconds: float) -> None:
+        """Let so much time pass."""
+        self._check()
+        self._wait(lambda: False, time.monotonic() + milliseconds / 1000)
+
+    def set_title(self, title: str) -> None:
+        """Name the window."""
+        self._check()
+        self._send("title", title)
+
+    def close(self) -> None:
+        """Close the window; a second time does nothing. Never raises."""
+        if os.getpid() != self._owner:
+            return  # a forked copy of the program: the window is not its own
+        atexit.unregister(self.close)
+        self._lose(BGIError("the window has been closed by the program"), tell=False)
+        self._input.close()
+        try:
+            self._process.wait(END_SECONDS)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        if threading.current_thread() is not self._listener:  # it is when on_lost closes
+            self._listener.join(END_SECONDS)
+
+    def _check(self) -> None:
+        if self._error is not None:
+            raise self._error.with_traceback(None)
+        if os.getpid() != self._owner:
+            raise BGIError("the window belongs to the process that opened it, this is a fork of it")
+
+    def _wait(self, done: Callable[[], bool], until: float = math.inf) -> bool:
+        """Wait for news until `done`; False if that takes too long. Raises once lost."""
+        with self._news:
+            while not done():
+                self._check()
+                seconds = until - time.monotonic()
+                if seconds <= 0:
+                    return False
+                self._news.wait(min(seconds, PIECE_SECONDS))
+        return True
+
+    def _send(self, word: str, *arguments: object) -> None:
+        # A child that is gone cannot read; the listening thread finds out and says why.
+        with contextlib.suppress(OSError):
+            os.write(self._input.fileno(), encode(word, *arguments))
+
+    def _listen(self) -> None:
+        with self._output:
+            for word, rest in receive(self._output.fileno()):
+                self._hear(word, rest)
+        status = self._process.wait()
+        self._lose(BGIError(f"the window process ended unexpectedly (exit status {status})"))
+
+    def _hear(self, word: str, rest: str) -> None:
+        match word:
+            case "key":
+                self._keys.put(bytes(map(int, rest.split())))
+            case "shown":
+                with self._news:
+                    self._answered, self.presents = map(int, rest.split())
+                    self._news.notify_all()
+            case "ready":
+                with self._news:
+                    self._ready = True
+                    self._news.notify_all()
+            case "failed":
+                self._lose(BGIError(f"no window: {rest} (BGI_MONITOR=none draws without a window)"))
+            case "closed":
+                self._lose(WindowClosed("the window was closed"))
+
+    def _lose(self, error: BGIError, tell: bool = True) -> None:
+        """From now on every call raises `error`; only the first loss counts."""
+        with self._news:
+            if self._error is not None:
+                return
+            self._error = error
+            self._news.notify_all()
+        self._keys.close(error)
+        if tell and self._ready:  # before that the constructor raises it
+            self._on_lost(error)
+
+
+def _start(card: Card) -> subprocess.Popen[bytes]:
+    # The child must import this very package and no file of the user's that happens to be called
+    # random.py or numpy.py: it runs in the directory that holds the package, not in the user's.
+    home = str(Path(__file__).resolve().parents[2])
+    path = os.pathsep.join(filter(None, (home, os.environ.get("PYTHONPATH"))))
+    try:
+        return subprocess.Popen(
+            # No warnings: the program has shown them already.
+            [sys.executable, "-W", "ignore", "-m", "bgi.monitor.window", card.handle],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            bufsize=0,
+            cwd=home,
+            env=os.environ | {"PYTHONPATH": path},
+            pass_fds=card.inherit,
+            # Apart from the program's terminal: Ctrl-C there is for the program alone, and on
+            # Windows no console opens.
+            process_group=None if sys.platform == "win32" else 0,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+    except OSError as error:
+        raise BGIError(f"no window: its process could not be started: {error}") from None
