@@ -44,9 +44,15 @@ def open_screen(mode: GraphicsMode) -> None:
         card = Card()
         card.set_mode(mode.width, mode.height, mode.pages)
         loaded = Graphics(mode, card, choose(card, on_lost=_lost))
+        loaded.monitor.key_waiting()  # raises if the window was closed as soon as it opened
     else:
         loaded.enter(mode)
     screen = loaded
+
+
+def reachable() -> Graphics:
+    """The screen that is loaded, in text mode too; raises as any call does if there is none."""
+    return loaded if loaded is not None and screen is _TEXT_MODE else screen
 
 
 def leave_graphics() -> None:

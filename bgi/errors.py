@@ -21,10 +21,12 @@ class Result:
 
     def __init__(self) -> None:
         self.code = grOk
+        self.file = ""
 
-    def set(self, code: int) -> None:
-        """Remember `code` until somebody asks."""
+    def set(self, code: int, file: str = "") -> None:
+        """Remember `code` until somebody asks, and for its message the file it is about."""
         self.code = code
+        self.file = file or self.file
 
     def take(self) -> int:
         """Return the code and clear it, as graphresult() does."""
@@ -37,5 +39,4 @@ result = Result()
 
 def message(code: int) -> str:
     """Borland's sentence for an error code; an unknown code is quoted in it."""
-    text = ERROR_MESSAGES.get(code)
-    return text if text is not None else f"Graphics error ({code})"
+    return ERROR_MESSAGES.get(code, f"Graphics error ({code})").format(file=result.file)

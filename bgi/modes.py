@@ -75,6 +75,20 @@ MODES = [
     GraphicsMode(VGA, 2, 640, 480, 16, 2, 1, 10000, "EGA350", "640 x 480 VGA"),
     GraphicsMode(PC3270, 0, 720, 350, 2, 2, 1, 6481, "MONO", "720 x 350 3270 PC"),
 ]
+DRIVER_NAMES = {
+    CGA: "CGA",
+    MCGA: "CGA",
+    EGA: "EGAVGA",
+    EGA64: "EGAVGA",
+    EGAMONO: "EGAVGA",
+    IBM8514: "IBM8514",
+    HERCMONO: "HERC",
+    ATT400: "ATT",
+    VGA: "EGAVGA",
+    PC3270: "PC3270",
+}
+"""The driver files, without .BGI: what getdrivername() says."""
+
 _BY_NUMBER = {(mode.driver, mode.number): mode for mode in MODES}
 
 

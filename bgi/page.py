@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.raster import curves, lines
+from bgi.raster.curves import Offset
 from bgi.raster.lines import Box, Ints, Segments
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, screen_mask
 from bgi.raster.polygons import Rows, Spans
 from bgi.sdl import pygame
 
 Mask = NDArray[np.bool_]
+Pixels = NDArray[np.uint8]
 
 FAR = 1 << 40
 """A centre so far away shows nothing of a curve, and stays an int64 with its offsets."""
@@ -158,6 +160,19 @@ class Page:
             box = (left, top, right - left + 1, bottom - top + 1)
             pygame.draw.rect(self._surface, color, box, 1)
 
+    def differs_from(self, color: int, rows: bytes = SOLID_ROWS) -> Mask:
+        """Where the clipping box does not show what a fill would put there.
+
+        Everywhere on rows where the fill would put nothing but index 0: there no flood stops.
+        """
+        part = slice(self._top, self._bottom + 1), slice(self._left, self._right + 1)
+        if rows == SOLID_ROWS:
+            return np.not_equal(self.array[part], color)
+        mask = screen_mask(rows, self.width, self.height)[part]
+        empty = ~mask.any(axis=1, keepdims=True)
+        differs: Mask = np.logical_or(self.array[part] != mask * color, empty)
+        return differs
+
     # Polygons
 
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
@@ -236,6 +251,22 @@ class Page:
             if max(abs(x), abs(y)) < FAR:
                 self.put_many(x + dx, y + dy, color)
 
+    def offsets(self, x: int, y: int, points: list[Offset], color: int) -> None:
+        """Single pixels at offsets from x, y."""
+        for dx, dy in points:
+            self.put(x + dx, y + dy, color)
+
+    def fill_symmetric(
+        self, x: int, y: int, steps: list[Offset], color: int, pattern: bytes
+    ) -> None:
+        """For each step (i, j) the rows y - j and y + j, from x - i to x + i, in a pattern."""
+        _, top, _, bottom = self.box
+        rows = [(y + s * j, x - i, x + i) for i, j in steps for s in (-1, 1)]
+        rows = [row for row in rows if top <= row[0] <= bottom]
+        self.fill_rows(
+            ([r[0] for r in rows], [r[1] for r in rows], [r[2] for r in rows]), color, pattern
+        )
+
     def stamp(self, x: int, y: int, mask: Mask, color: int) -> None:
         """Put a colour wherever `mask`, its top left corner at x, y, is True."""
         height, width = mask.shape
@@ -245,9 +276,52 @@ class Page:
             part = self.array[top:bottom, left:right]
             np.copyto(part, color, where=mask[top - y : bottom - y, left - x : right - x])
 
+    def copy(self, x: int, y: int, width: int, height: int) -> NDArray[np.uint8]:
+        """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""
+        taken = np.zeros((height, width), dtype=np.uint8)
+        left, right = max(x, 0), min(x + width, self.width)
+        top, bottom = max(y, 0), min(y + height, self.height)
+        if left < right and top < bottom:
+            taken[top - y : bottom - y, left - x : right - x] = self.array[top:bottom, left:right]
+        return taken
+
+    def combine(self, x: int, y: int, image: NDArray[np.uint8], op: int, mask: int) -> None:
+        """Put an image with its corner at x, y by a putimage operator, cut at the page's edges."""
+        height, width = image.shape
+        left, right = max(x, 0), min(x + width, self.width)
+        top, bottom = max(y, 0), min(y + height, self.height)
+        if left < right and top < bottom:
+            part = self.array[top:bottom, left:right]
+            shown = image[top - y : bottom - y, left - x : right - x]
+            _OPERATORS[op](part, shown & np.uint8(mask), mask)
+
     def clear(self) -> None:
         """The whole page becomes index 0, whatever the clipping box."""
         self.flat.fill(0)
+
+
+def _copy(part: Pixels, image: Pixels, mask: int) -> None:
+    part[:] = image
+
+
+def _xor(part: Pixels, image: Pixels, mask: int) -> None:
+    part ^= image
+
+
+def _or(part: Pixels, image: Pixels, mask: int) -> None:
+    part |= image
+
+
+def _and(part: Pixels, image: Pixels, mask: int) -> None:
+    part &= image
+
+
+def _not(part: Pixels, image: Pixels, mask: int) -> None:
+    part[:] = image ^ mask  # the complement of the image; the screen does not matter
+
+
+_OPERATORS = [_copy, _xor, _or, _and, _not]
+"""By number: COPY_PUT, XOR_PUT, OR_PUT, AND_PUT, NOT_PUT."""
 
 
 def _within(x: Ints, y: Ints, box: Box) -> Mask:

@@ -109,7 +109,7 @@ class Palette:
 
     def reset(self) -> None:
         """Give every index its default value again (graphdefaults); DAC registers keep theirs."""
-        self.values = list(DEFAULTS[self.kind][0])
+        self.values = self.default
         self.background = 0
         if self.kind == "IBM8514":  # its palette *is* the DAC
             self._load_dac()
@@ -127,6 +127,11 @@ class Palette:
     def size(self) -> int:
         """What getpalettesize() says: only entries that can be changed count."""
         return len(self.values) if self.is_ega or self.kind == "IBM8514" else 1
+
+    @property
+    def default(self) -> list[int]:
+        """The hardware values that the mode begins with."""
+        return list(DEFAULTS[self.kind][0])
 
     def _may_set(self, index: int, value: int) -> bool:
         if self.is_ega:

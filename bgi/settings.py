@@ -12,6 +12,7 @@ from bgi.constants import (
     SOLID_LINE,
     TOP_TEXT,
 )
+from bgi.fonts.layout import SIZES, Scale
 from bgi.raster.patterns import SOLID_ROWS
 
 
@@ -55,6 +56,18 @@ class viewporttype:
 
 
 @dataclass(slots=True)
+class arccoordstype:
+    """What getarccoords() returns: centre, start and end of the last arc, in the viewport."""
+
+    x: int
+    y: int
+    xstart: int
+    ystart: int
+    xend: int
+    yend: int
+
+
+@dataclass(slots=True)
 class palettetype:
     """What getpalette() returns: the number of entries and their hardware colours."""
 
@@ -74,6 +87,7 @@ class Settings:
     fill_rows: bytes = SOLID_ROWS
     user_rows: bytes = SOLID_ROWS
     line: linesettingstype = field(default_factory=linesettingstype)
+    user_scale: Scale = SIZES[4]
     text: textsettingstype = field(default_factory=textsettingstype)
     writemode: int = COPY_PUT
 

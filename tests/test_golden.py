@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+import bgi
 from bgi.graphics import Graphics
 from bgi.modes import find
 from tests.pictures import assert_same, read_indices
@@ -19,7 +20,12 @@ CASES = [
 
 # Cases whose rule is in doubt and where we do something else, and why.
 NO_OUTLINE = "an outline in colour 0 is not drawn: programs linked with the BGI were seen to do so"
+NOT_MODELLED = "the model behind the picture ignores the justification of vertical text"
 EXPECTED_TO_DIFFER = {
+    "cp_outtext": NOT_MODELLED,
+    "stroke_vertical": NOT_MODELLED,
+    "text_justify_vert_s1": NOT_MODELLED,
+    "text_justify_vert_s2": NOT_MODELLED,
     "fillpoly_raw_concave": NO_OUTLINE,
     "fillpoly_raw_convex": NO_OUTLINE,
     "fillpoly_raw_star": NO_OUTLINE,
@@ -29,11 +35,17 @@ EXPECTED_TO_DIFFER = {
 def run(case):
     """Make a case's calls on a fresh screen; returns it and the answers of its queries."""
     screen = Graphics(find(case["driver"], case["gmode"]))
-    answers = {}
+    screen.path = str(GOLDEN / "fonts")  # a small font of our own stands in for TRIP.CHR
+    answers, images = {}, {}
     for number, (name, *arguments) in enumerate(case["calls"]):
-        answer = getattr(screen, name)(
-            *[a.encode("latin-1") if isinstance(a, str) else a for a in arguments]
-        )
+        if name == "getimage":
+            *corners, kept = arguments
+            images[kept] = screen.getimage(*corners)
+            continue
+        if name == "putimage":
+            arguments[2] = images[arguments[2]]
+        call = getattr(screen, name, None) or getattr(bgi, name)
+        answer = call(*[a.encode("latin-1") if isinstance(a, str) else a for a in arguments])
         answers[str(number)] = listed(answer)
     return screen, answers
 
@@ -59,9 +71,6 @@ IN_DOUBT = [case for case in CASES if case["name"] in EXPECTED_TO_DIFFER]
 
 @pytest.mark.parametrize("case", EXACT, ids=[case["name"] for case in EXACT])
 def test_golden(case):
-    missing = {call[0] for call in case["calls"]} - set(dir(Graphics))
-    if missing:
-        pytest.skip(f"not written yet: {', '.join(sorted(missing))}")
     got, expected, answers = pictures(case)
     assert_same(got, expected, case["name"])
     assert {n: answers[n] for n in case["results"]} == case["results"]

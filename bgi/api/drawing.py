@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from bgi import current
 from bgi.arguments import Number, Numbers
+from bgi.settings import linesettingstype
 
 
 def putpixel(x: Numbers, y: Numbers, color: Numbers) -> None:
@@ -87,21 +88,6 @@ def rectangle(
     current.screen.rectangle(left, top, right, bottom, color)
 
 
-def circle(x: Numbers, y: Numbers, radius: Numbers, color: Numbers | None = None) -> None:
-    """Draw a circle.
-
-    Args:
-        x, y: its centre, relative to the viewport.
-        radius: in pixels across; the height follows the mode's aspect ratio, so that it looks
-            round. 0 is drawn like 1; nothing for a negative radius, or one above 6553.
-        color: this circle's colour; the drawing colour if None.
-
-    Ignores the line style; honours the width, and the write mode only when thick. Arrays draw many.
-    Source: graphics.h.
-    """
-    current.screen.circle(x, y, radius, color)
-
-
 def drawpoly(points: Numbers, flat: Numbers | None = None, color: Numbers | None = None) -> None:
     """Draw lines from point to point; repeat the first point to close the figure.
 
@@ -127,6 +113,14 @@ def setlinestyle(style: Number, pattern: Number, width: Number) -> None:
     graphresult() says -11, and nothing changes, for any other style or width. Source: graphics.h.
     """
     current.screen.setlinestyle(style, pattern, width)
+
+
+def getlinesettings() -> linesettingstype:
+    """Return line style, its sixteen bits and the width, as setlinestyle() takes them.
+
+    Source: graphics.h; chosen: the bits of a predefined style are its own.
+    """
+    return current.screen.getlinesettings()
 
 
 def setwritemode(mode: Number) -> None:

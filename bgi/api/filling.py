@@ -4,8 +4,11 @@ Patterns are opaque (their gaps become index 0) and anchored to the screen, so t
 fills join without a seam. Fills ignore the write mode.
 """
 
+from collections.abc import Sequence
+
 from bgi import current
 from bgi.arguments import Number, Numbers
+from bgi.settings import fillsettingstype
 
 
 def setfillstyle(pattern: Number, color: Number) -> None:
@@ -18,6 +21,32 @@ def setfillstyle(pattern: Number, color: Number) -> None:
     graphresult() says -11, and nothing changes, for any other number. Source: graphics.h.
     """
     current.screen.setfillstyle(pattern, color)
+
+
+def getfillsettings() -> fillsettingstype:
+    """Return fill pattern (12 after setfillpattern) and colour. Source: graphics.h."""
+    return current.screen.getfillsettings()
+
+
+def setfillpattern(pattern: bytes | Sequence[Number], color: Number) -> None:
+    """Fill with a pattern of your own.
+
+    Args:
+        pattern: eight bytes, the top row first, its highest bit leftmost.
+        color: 0..getmaxcolor().
+
+    graphresult() says -11, and nothing changes, for an unknown colour; ValueError unless there are
+    eight bytes. Source: graphics.h.
+    """
+    current.screen.setfillpattern(pattern, color)
+
+
+def getfillpattern() -> bytes:
+    """Return the eight bytes last given to setfillpattern(), at first all FF.
+
+    Source: graphics.h.
+    """
+    return current.screen.getfillpattern()
 
 
 def bar(
@@ -33,6 +62,26 @@ def bar(
     graphics.h.
     """
     current.screen.bar(left, top, right, bottom, fill)
+
+
+def bar3d(
+    left: Numbers,
+    top: Numbers,
+    right: Numbers,
+    bottom: Numbers,
+    depth: Numbers,
+    topflag: Numbers,
+) -> None:
+    """Fill a box, outline it, and draw its right side and top in depth.
+
+    Args:
+        left, top, right, bottom: two opposite corners, relative to the viewport.
+        depth: how far the back lies to the right, in pixels, and 3/4 of that up; 0 draws no side.
+        topflag: 1 to draw the top, 0 to leave room for a bar on top of it.
+
+    Outlined as by line(); side and top are not filled. Arrays draw many. Source: graphics.h.
+    """
+    current.screen.bar3d(left, top, right, bottom, depth, topflag)
 
 
 def fillpoly(
@@ -55,3 +104,17 @@ def fillpoly(
     is drawn as by line(). Source: graphics.h.
     """
     current.screen.fillpoly(points, flat, fill, color)
+
+
+def floodfill(x: Numbers, y: Numbers, border: Numbers) -> None:
+    """Fill the area around a point in the fill pattern, up to a border of one colour.
+
+    Args:
+        x, y: the point, relative to the viewport; nothing happens outside it or on the border.
+        border: the colour that stops the filling; any other colour is painted over.
+
+    Spreads up, down, left and right, within the viewport (with clipping off, the screen). What
+    looks filled already stops it too, as in the original, but its shape may be anything: there is
+    no limit of memory. Source: graphics.h.
+    """
+    current.screen.floodfill(x, y, border)

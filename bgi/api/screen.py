@@ -1,11 +1,10 @@
 """The screen: its size, viewport, pages, colours and palette."""
 
-import os
 from collections.abc import Sequence
 
 from bgi import current
 from bgi.arguments import Number
-from bgi.settings import palettetype
+from bgi.settings import palettetype, viewporttype
 
 
 def getmaxx() -> int:
@@ -51,6 +50,14 @@ def setviewport(left: Number, top: Number, right: Number, bottom: Number, clip: 
     0 <= left <= right <= getmaxx() and likewise for top and bottom. Source: graphics.h.
     """
     current.screen.setviewport(left, top, right, bottom, clip)
+
+
+def getviewsettings() -> viewporttype:
+    """Return the viewport: its corners in screen coordinates, and whether clipping is on.
+
+    Source: graphics.h.
+    """
+    return current.screen.getviewsettings()
 
 
 def clearviewport() -> None:
@@ -181,6 +188,19 @@ def getpalette() -> palettetype:
     return current.screen.getpalette()
 
 
+def getpalettesize() -> int:
+    """Return how many colours can be changed: 16 on EGA and VGA, 1 on CGA, 256 on the 8514.
+
+    Source: graphics.h.
+    """
+    return current.screen.getpalettesize()
+
+
+def getdefaultpalette() -> palettetype:
+    """Return the hardware colours that the mode begins with. Source: graphics.h."""
+    return current.screen.getdefaultpalette()
+
+
 def setrgbpalette(index: Number, red: Number, green: Number, blue: Number) -> None:
     """Mix a colour of your own on the VGA or the 8514.
 
@@ -192,22 +212,3 @@ def setrgbpalette(index: Number, red: Number, green: Number, blue: Number) -> No
     graphresult() says -11, and nothing changes, on other adapters. Source: graphics.h.
     """
     current.screen.setrgbpalette(index, red, green, blue)
-
-
-def writeimagefile(
-    filename: str | os.PathLike[str],
-    left: Number = 0,
-    top: Number = 0,
-    right: Number | None = None,
-    bottom: Number | None = None,
-) -> None:
-    """Save the active page, or a part of it, as a PNG with its palette.
-
-    Args:
-        filename: where to; an existing file is replaced.
-        left, top, right, bottom: the part, in screen coordinates; what lies outside is left out.
-
-    Raises OSError if the file cannot be written, ValueError if no part of the screen is meant.
-    Source: WinBGIm (which writes BMP).
-    """
-    current.screen.writeimagefile(filename, left, top, right, bottom)

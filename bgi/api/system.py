@@ -2,7 +2,15 @@
 
 from bgi import current
 from bgi.arguments import Number, whole
-from bgi.constants import DETECT, VGA, VGAHI, grInvalidDriver, grInvalidMode, grOk
+from bgi.constants import (
+    CURRENT_DRIVER,
+    DETECT,
+    VGA,
+    VGAHI,
+    grInvalidDriver,
+    grInvalidMode,
+    grOk,
+)
 from bgi.errors import message, result
 from bgi.modes import find, mode_range
 
@@ -36,6 +44,7 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     mode = find(driver, number)
     if mode is not None:
         current.open_screen(mode)
+        current.screen.path = path
         result.set(grOk)
     elif mode_range(driver) == (-1, -1):
         result.set(grInvalidDriver)
@@ -64,11 +73,7 @@ def setgraphmode(mode: Number) -> None:
     leads back from restorecrtmode(). Source: graphics.h.
     """
     number = whole("mode", mode)
-    loaded = current.loaded
-    if loaded is None:
-        current.screen.enter(None)  # type: ignore[arg-type]  # raises: no graphics
-        return
-    wanted = find(loaded.mode.driver, number)
+    wanted = find(current.reachable().mode.driver, number)
     if wanted is None:
         result.set(grInvalidMode)
     else:
@@ -82,6 +87,53 @@ def restorecrtmode() -> None:
     back. Source: graphics.h.
     """
     current.leave_graphics()
+
+
+def getgraphmode() -> int:
+    """Return the number of the mode, for setgraphmode() to come back to it.
+
+    Works after restorecrtmode() too. Source: graphics.h.
+    """
+    return current.reachable().getgraphmode()
+
+
+def getmaxmode() -> int:
+    """Return the largest mode number of the driver in use: 2 for VGA. Source: graphics.h."""
+    return current.reachable().getmaxmode()
+
+
+def getmodename(mode: Number) -> str | None:
+    """Return the driver's name for one of its modes, such as "640 x 480 VGA".
+
+    Args:
+        mode: a mode number of the driver in use; None is returned for any other.
+
+    Source: graphics.h.
+    """
+    return current.reachable().getmodename(mode)
+
+
+def getdrivername() -> str:
+    """Return the name of the driver in use: "EGAVGA" for EGA and VGA. Source: graphics.h."""
+    return current.reachable().getdrivername()
+
+
+def getmoderange(driver: Number) -> tuple[int, int]:
+    """Return the lowest and the highest mode number of a driver.
+
+    Args:
+        driver: CGA ... PC3270, or CURRENT_DRIVER (-1) for the one in use.
+
+    (-1, -1) for an unknown driver, and graphresult() says -4. Works before initgraph. Source:
+    graphics.h.
+    """
+    number = whole("driver", driver)
+    if number == CURRENT_DRIVER:
+        number = current.reachable().mode.driver
+    found = mode_range(number)
+    if found == (-1, -1):
+        result.set(grInvalidDriver)
+    return found
 
 
 def graphdefaults() -> None:

@@ -1,4 +1,4 @@
-"""Text, in the built-in font of 8x8 pixels.
+"""Text, in the built-in font of 8x8 pixels or in stroked fonts.
 
 Only the strokes are drawn: what lies under the gaps stays. There are no control characters: "\\n"
 is a picture like any other. A str is written in code page 437, "?" standing for what it lacks;
@@ -7,12 +7,63 @@ bytes are written as they are.
 
 from bgi import current
 from bgi.arguments import Number
+from bgi.settings import textsettingstype
+
+
+def settextstyle(font: Number, direction: Number, charsize: Number) -> None:
+    """Choose font, direction and size of text.
+
+    Args:
+        font: DEFAULT_FONT (0), TRIPLEX_FONT (1) ... BOLD_FONT (10), or a number from
+            installuserfont() or registerbgifont().
+        direction: HORIZ_DIR (0) or VERT_DIR (1), which reads upwards.
+        charsize: 1..10; the built-in font is enlarged so many times, for stroked fonts 4 is their
+            own size. USER_CHAR_SIZE (0) takes setusercharsize()'s factors.
+
+    A font file is looked for in initgraph's path, in the current folder, then among those that come
+    with this package. If it cannot be had, graphresult() says why (-8 not found, -13 not a font,
+    -14 no such number, -12 not readable) and the built-in font is used. Source: graphics.h.
+    """
+    current.screen.settextstyle(font, direction, charsize)
+
+
+def settextjustify(horiz: Number, vert: Number) -> None:
+    """Choose which point of a text its coordinates mean.
+
+    Args:
+        horiz: LEFT_TEXT (0), CENTER_TEXT (1) or RIGHT_TEXT (2).
+        vert: BOTTOM_TEXT (0), CENTER_TEXT (1) or TOP_TEXT (2).
+
+    graphresult() says -11, and nothing changes, for anything else. Source: graphics.h.
+    """
+    current.screen.settextjustify(horiz, vert)
+
+
+def setusercharsize(multx: Number, divx: Number, multy: Number, divy: Number) -> None:
+    """Stretch stroked fonts freely, at once.
+
+    Args:
+        multx, divx: width, times multx / divx of size 4.
+        multy, divy: height likewise; divisors other than 0.
+
+    graphresult() says -11, and nothing changes, for a divisor of 0. Source: graphics.h.
+    """
+    current.screen.setusercharsize(multx, divx, multy, divy)
+
+
+def gettextsettings() -> textsettingstype:
+    """Return font, direction, size (0 after setusercharsize) and justification.
+
+    Source: graphics.h.
+    """
+    return current.screen.gettextsettings()
 
 
 def outtext(text: str | bytes) -> None:
-    """Write at the current position, which moves on to the end of the text.
+    """Write at the current position.
 
-    Otherwise as outtextxy(). Source: graphics.h.
+    It moves on by the width of the text if that is level and LEFT_TEXT. Otherwise as outtextxy();
+    it takes the same `text`. Source: graphics.h.
     """
     current.screen.outtext(text)
 
@@ -21,21 +72,29 @@ def outtextxy(x: Number, y: Number, text: str | bytes) -> None:
     """Write a text.
 
     Args:
-        x, y: the upper left corner of its first character, relative to the viewport.
+        x, y: the point of the text that settextjustify() chose, at first its upper left corner,
+            relative to the viewport.
         text: a str or bytes; a number raises TypeError (write str(number)).
 
-    In the drawing colour; ignores the write mode; leaves the current position. A character that
-    does not fit into the viewport whole is left out; with clipping off, the whole text is left out
-    if any part of it would leave the screen. Source: graphics.h.
+    In the drawing colour; leaves the current position. In the built-in font a character that does
+    not fit into the viewport whole is left out; with clipping off, the whole text is left out if
+    any part of it would leave the screen. Stroked text is drawn by thin solid lines, each clipped.
+    Source: graphics.h.
     """
     current.screen.outtextxy(x, y, text)
 
 
 def textwidth(text: str | bytes) -> int:
-    """Return the width of a text in pixels: 8 a character. Source: graphics.h."""
+    """Return the width of a text in pixels, in the font and size in use.
+
+    Drawn stroked text can be a little narrower, as in the original. Source: graphics.h.
+    """
     return current.screen.textwidth(text)
 
 
 def textheight(text: str | bytes) -> int:
-    """Return the height of a text in pixels: 8, whatever the text. Source: graphics.h."""
+    """Return the height of a text in pixels, the same for every text in the font and size in use.
+
+    Source: graphics.h.
+    """
     return current.screen.textheight(text)

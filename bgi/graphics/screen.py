@@ -5,6 +5,7 @@ method here is one call of graphics.h; `bgi.api` says what each means.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from bgi.arguments import Number, whole
 from bgi.card import Card
@@ -18,7 +19,7 @@ from bgi.constants import (
     grError,
 )
 from bgi.errors import result
-from bgi.modes import GraphicsMode
+from bgi.modes import DRIVER_NAMES, YASP, GraphicsMode, find, mode_range
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
 from bgi.page import Page
@@ -26,6 +27,7 @@ from bgi.palette import Palette
 from bgi.raster.patterns import FILL_PATTERNS, LINE_PATTERNS, line_mask
 from bgi.settings import (
     Settings,
+    arccoordstype,
     fillsettingstype,
     linesettingstype,
     palettetype,
@@ -42,6 +44,8 @@ class Screen:
         """Enter `mode` on a card watched by a monitor: by default one of its own, and none."""
         self.card = card or Card()
         self.monitor = monitor or Headless()
+        self.path = ""
+        """Where fonts are looked for: what initgraph() was given."""
         self.enter(mode)
 
     def enter(self, mode: GraphicsMode) -> None:
@@ -51,6 +55,8 @@ class Screen:
         self.card.set_mode(mode.width, mode.height, mode.pages)
         self.pages = [Page(self.card.page(n), mode.width, mode.height) for n in range(mode.pages)]
         self.palette = Palette(mode, self.card.palette)
+        self.aspect = mode.xasp, YASP
+        self._arc_coords = arccoordstype(0, 0, 0, 0, 0, 0)
         self._active = 0
         self.page = self.pages[0]
         self.graphdefaults()
@@ -104,6 +110,10 @@ class Screen:
             self.page.clip_to((view.left, view.top, view.right, view.bottom))
         else:
             self.page.clip_to((0, 0, self.mode.width - 1, self.mode.height - 1))
+
+    def getviewsettings(self) -> viewporttype:
+        """The viewport: absolute corners, and whether clipping is on."""
+        return replace(self.settings.view)
 
     def clearviewport(self) -> None:
         """Clear the viewport to index 0, whatever clip is; current position to 0, 0."""
@@ -169,6 +179,15 @@ class Screen:
         """The number last given to setbkcolor."""
         return self.palette.background
 
+    def getpalettesize(self) -> int:
+        """How many entries of the palette can be changed."""
+        return self.palette.size
+
+    def getdefaultpalette(self) -> palettetype:
+        """The palette that the mode begins with."""
+        colors = self.palette.default
+        return palettetype(len(colors), colors)
+
     def setpalette(self, index: Number, color: Number) -> None:
         """Give a palette entry a hardware colour; -11 where the adapter cannot."""
         if not self.palette.set(whole("index", index), whole("color", color)):
@@ -206,6 +225,10 @@ class Screen:
         self.settings.line = linesettingstype(number, bits, thickness)
         self._use_line_settings()
 
+    def getlinesettings(self) -> linesettingstype:
+        """Line style, its sixteen bits, thickness."""
+        return replace(self.settings.line)
+
     def setwritemode(self, mode: Number) -> None:
         """COPY_PUT or XOR_PUT for lines; only bit 0 counts, as in Borland's driver."""
         self.settings.writemode = whole("mode", mode) & 1
@@ -231,3 +254,47 @@ class Screen:
         self.settings.fill = fillsettingstype(number, index)
         user = number == USER_FILL
         self.settings.fill_rows = self.settings.user_rows if user else FILL_PATTERNS[number]
+
+    def setfillpattern(self, pattern: bytes | Sequence[Number], color: Number) -> None:
+        """Fill with eight rows of eight bits; -11 and no change for an unknown colour."""
+        rows = _eight_rows(pattern)
+        index = whole("color", color)
+        if not 0 <= index <= self._mask:
+            result.set(grError)
+            return
+        self.settings.fill = fillsettingstype(USER_FILL, index)
+        self.settings.fill_rows = self.settings.user_rows = rows
+
+    def getfillpattern(self) -> bytes:
+        """The eight rows of the user's pattern, whatever pattern is in use."""
+        return self.settings.user_rows
+
+    def getfillsettings(self) -> fillsettingstype:
+        """Fill pattern and colour."""
+        return replace(self.settings.fill)
+
+    # The mode
+
+    def getgraphmode(self) -> int:
+        """The number of the mode."""
+        return self.mode.number
+
+    def getmaxmode(self) -> int:
+        """The largest mode number of the driver."""
+        return mode_range(self.mode.driver)[1]
+
+    def getmodename(self, mode: Number) -> str | None:
+        """The driver's name for one of its modes, None for an unknown one."""
+        found = find(self.mode.driver, whole("mode", mode))
+        return None if found is None else found.name
+
+    def getdrivername(self) -> str:
+        """The name of the driver's file."""
+        return DRIVER_NAMES[self.mode.driver]
+
+
+def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:
+    rows = [whole(f"pattern[{i}]", row) & 0xFF for i, row in enumerate(pattern)]
+    if len(rows) != 8:
+        raise ValueError(f"pattern must be 8 bytes, not {len(rows)}")
+    return bytes(rows)

@@ -9,6 +9,7 @@ Thick curves are another matter: one point for every whole degree, joined by thi
 import math
 from collections.abc import Iterator
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,7 +66,7 @@ def quadrant(rx: int, ry: int) -> list[Offset]:
 
     Nothing for negative radii, and nothing where the original's arithmetic overflows.
     """
-    if min(rx, ry) < 0 or 100 * max(rx, ry) ** 2 >= _OVERFLOW:
+    if not drawable(rx, ry):
         return []
     return list(_steps(max(rx, 1), max(ry, 1)))
 
@@ -79,11 +80,58 @@ def outline(rx: int, ry: int) -> tuple[Ints, Ints]:
     return dx.ravel(), dy.ravel()
 
 
+def drawable(rx: int, ry: int) -> bool:
+    """Whether there is anything to draw: not for negative radii, nor for those that overflow."""
+    return min(rx, ry) >= 0 and 100 * max(rx, ry) ** 2 < _OVERFLOW
+
+
+def reduced(start: int, end: int) -> tuple[int, int]:
+    """Angles brought into a turn; a whole number of turns from start to end is one."""
+    if start != end and (end - start) % 360 == 0:
+        return start % 360, start % 360 + 360
+    return start % 360, end % 360
+
+
 def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     """The corners of a thick curve: one for every whole degree from start to end."""
+    if not -360 <= start <= 720 or not -360 <= end <= 720:
+        start, end = reduced(start, end)
     if start >= end:
         end += 360
     return [point_at(angle, rx, ry) for angle in range(start, end + 1)]
+
+
+def _rank(dx: int, dy: int) -> int:
+    """A number that grows counter-clockwise from the right, for points of one ellipse."""
+    up = -dy
+    if up >= 0:
+        return up - dx if dx >= 0 else 2000 - dx - up
+    return 4000 + dx - up if dx < 0 else 6000 + dx + up
+
+
+def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:
+    """The points of a thin arc, in the stepper's order."""
+    start, end = reduced(start, end)
+    if start == end:
+        return []
+    rx, ry = max(rx, 1), max(ry, 1)
+    first, last = point_at(start, rx, ry), point_at(end, rx, ry)
+    sweep = (end - start) % 360 or 360
+    if sweep < 2 or (first == last and sweep < 350):
+        return [last]
+    low, high = _rank(*first), _rank(*last)
+    wraps = high <= low
+    points = zip(*(offsets.tolist() for offsets in outline(rx, ry)), strict=True)
+    ranked = ((point, _rank(*point)) for point in points)
+    if wraps:
+        return [point for point, rank in ranked if rank >= low or rank <= high]
+    return [point for point, rank in ranked if low <= rank <= high]
+
+
+def quarters(start: int, end: int) -> list[tuple[int, int]]:
+    """The pieces of a slice, cut at 90, 180 and 270 degrees."""
+    cuts = [start, *(a for a in (90, 180, 270) if start < a < end), end]
+    return list(pairwise(cuts))
 
 
 @lru_cache(maxsize=128)

@@ -1,0 +1,77 @@
+"""Pieces of the screen, in memory and on disk."""
+
+import os
+
+from bgi import current
+from bgi.arguments import Number
+from bgi.images import Image
+
+
+def imagesize(left: Number, top: Number, right: Number, bottom: Number) -> int:
+    """Return how many bytes an image takes in Borland's layout.
+
+    Args:
+        left, top, right, bottom: its corners, all inside.
+
+    From 64K on it returns 65535 and graphresult() says -11; getimage() works all the same. Source:
+    graphics.h.
+    """
+    return current.screen.imagesize(left, top, right, bottom)
+
+
+def getimage(
+    left: Number,
+    top: Number,
+    right: Number,
+    bottom: Number,
+    buffer: bytearray | memoryview | None = None,
+) -> Image:
+    """Copy a rectangle of the active page, to be put elsewhere by putimage().
+
+    Args:
+        left, top, right, bottom: its corners, relative to the viewport but not clipped by it; what
+            lies off the screen is 0.
+        buffer: as in C, a writable buffer of imagesize() bytes that is filled as well.
+
+    The image has .width, .height and .array, indices of shape (height, width); bytes(image) is
+    Borland's layout, bgi.Image.frombytes() reads it. ValueError for a short buffer. Source:
+    graphics.h.
+    """
+    return current.screen.getimage(left, top, right, bottom, buffer)
+
+
+def putimage(
+    left: Number, top: Number, image: Image | bytes | bytearray | memoryview, op: Number
+) -> None:
+    """Put an image on the active page.
+
+    Args:
+        left, top: where its upper left corner goes, relative to the viewport.
+        image: from getimage(), or bytes in Borland's layout for this mode.
+        op: COPY_PUT; XOR_PUT, OR_PUT, AND_PUT, which combine it with what is there; or NOT_PUT, its
+            complement.
+
+    Not clipped by the viewport, only at the edges of the screen (chosen: the original is said to
+    drop images that stick out sideways). graphresult() says -11 for another op; ValueError for too
+    few bytes. Source: graphics.h.
+    """
+    current.screen.putimage(left, top, image, op)
+
+
+def writeimagefile(
+    filename: str | os.PathLike[str],
+    left: Number = 0,
+    top: Number = 0,
+    right: Number | None = None,
+    bottom: Number | None = None,
+) -> None:
+    """Save the active page, or a part of it, as a PNG with its palette.
+
+    Args:
+        filename: where to; an existing file is replaced.
+        left, top, right, bottom: the part, in screen coordinates; what lies outside is left out.
+
+    Raises OSError if the file cannot be written, ValueError if no part of the screen is meant.
+    Source: WinBGIm (which writes BMP).
+    """
+    current.screen.writeimagefile(filename, left, top, right, bottom)

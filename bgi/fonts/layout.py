@@ -1,0 +1,105 @@
+"""From a string to pen strokes on the screen, by the kernel's integer rules.
+
+Every coordinate is multiplied, divided, and truncated toward zero, on its own. The pen advances
+after each character by the character's truncated width, but `textwidth` truncates only the sum:
+drawn text can be a little narrower than it says. Vertical text is the same turned by 90 degrees
+counter-clockwise, so that it reads upward.
+"""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.constants import CENTER_TEXT, LEFT_TEXT, RIGHT_TEXT, TOP_TEXT
+from bgi.fonts.chr import StrokedFont
+
+
+class Scale(NamedTuple):
+    """Width times mx / dx, height times my / dy; 16-bit numbers as in C, divisors not 0."""
+
+    mx: int
+    dx: int
+    my: int
+    dy: int
+
+
+SIZES = {
+    size: Scale(mult, div, mult, div)
+    for size, (mult, div) in enumerate(
+        [(3, 5), (2, 3), (3, 4), (1, 1), (4, 3), (5, 3), (2, 1), (5, 2), (3, 1), (4, 1)], start=1
+    )
+}
+"""What settextstyle's sizes 1..10 mean for stroked fonts."""
+
+
+def _scaled(number: int, mult: int, div: int) -> int:
+    """number * mult / div, truncated toward zero as C does."""
+    product = number * mult
+    quotient = abs(product) // abs(div)
+    return quotient if (product < 0) == (div < 0) else -quotient
+
+
+@lru_cache(maxsize=1024)
+def textwidth(font: StrokedFont, text: bytes, scale: Scale) -> int:
+    """The width of a text: the sum of its characters' widths, then truncated once."""
+    return _scaled(sum(map(font.width, text)), scale.mx, scale.dx)
+
+
+def textheight(font: StrokedFont, scale: Scale) -> int:
+    """The height of every text in this font: from its highest to its lowest line."""
+    return _scaled(font.cap - font.dec, scale.my, scale.dy)
+
+
+@lru_cache(maxsize=512)
+def segments(
+    font: StrokedFont, text: bytes, scale: Scale, vertical: bool = False
+) -> NDArray[np.int64]:
+    """The lines of a text, rows x1, y1, x2, y2 from where its pen starts, y downward; read-only.
+
+    A row whose ends are one point is a dot. Characters outside the font draw nothing.
+    """
+    rows: list[tuple[int, int, int, int]] = []
+    start = 0
+    for code in text:
+        rows += [(x1 + start, y1, x2 + start, y2) for x1, y1, x2, y2 in _glyph(font, code, scale)]
+        start += _scaled(font.width(code), scale.mx, scale.dx)
+    lines = np.array(rows, dtype=np.int64).reshape(-1, 4)
+    lines = -lines[:, [1, 0, 3, 2]] if vertical else lines * (1, -1, 1, -1)
+    lines.flags.writeable = False
+    return lines
+
+
+@lru_cache(maxsize=1024)
+def _glyph(font: StrokedFont, code: int, scale: Scale) -> tuple[tuple[int, int, int, int], ...]:
+    """The lines of one character, scaled, y upward. Its pen starts lifted."""
+    mx, dx, my, dy = scale
+    rows, pen = [], None
+    for draw, x, y in font.operations(code):
+        point = _scaled(x, mx, dx), _scaled(y, my, dy)
+        if draw and pen is not None:
+            rows.append((*pen, *point))
+        pen = point
+    return tuple(rows)
+
+
+def anchor(
+    font: StrokedFont, text: bytes, scale: Scale, vertical: bool, horiz: int, vert: int
+) -> tuple[int, int]:
+    """What to add to x, y of outtextxy to find where the pen starts.
+
+    BOTTOM_TEXT puts the baseline, not the descenders, on y; TOP_TEXT puts it a whole text height
+    below, so that a gap stays above the capitals. That is the kernel's rule.
+    """
+    width, height = textwidth(font, text, scale), textheight(font, scale)
+    if vertical:
+        return _part(height, horiz, LEFT_TEXT), _part(width, vert, TOP_TEXT)
+    return -_part(width, horiz, RIGHT_TEXT), _part(height, vert, TOP_TEXT)
+
+
+def _part(length: int, justification: int, whole: int) -> int:
+    """All of a length when justified as `whole`, half of it when centred, else nothing."""
+    if justification == CENTER_TEXT:
+        return _scaled(length, 1, 2)
+    return length if justification == whole else 0

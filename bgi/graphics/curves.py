@@ -1,0 +1,166 @@
+"""Circles, ellipses, arcs, pies."""
+
+from bgi.arguments import Number, Numbers, whole
+from bgi.constants import grError
+from bgi.errors import result
+from bgi.graphics.fills import Fills
+from bgi.raster import curves, lines, polygons
+from bgi.raster.patterns import SOLID_MASK
+from bgi.settings import arccoordstype
+
+
+class Curves(Fills):
+    """A screen to draw curves on."""
+
+    def setaspectratio(self, xasp: Number, yasp: Number) -> None:
+        """Set the aspect ratio of circles; -11 unless yasp is greater than 0 and xasp not less."""
+        ratio = whole("xasp", xasp), whole("yasp", yasp)
+        if ratio[0] < 0 or ratio[1] <= 0:
+            result.set(grError)
+        else:
+            self.aspect = ratio
+
+    def getaspectratio(self) -> tuple[int, int]:
+        """The aspect ratio of circles."""
+        return self.aspect
+
+    def getarccoords(self) -> arccoordstype:
+        """Centre and ends of the last arc."""
+        return self._arc_coords
+
+    # Outlines
+
+    def circle(self, x: Numbers, y: Numbers, radius: Numbers, color: Numbers | None = None) -> None:
+        """Draw circles, round on a screen of the mode's aspect ratio."""
+        if type(x) is int and type(y) is int and type(radius) is int and color is None:
+            xasp, yasp = self.aspect
+            self._ellipse(x, y, 0, 360, radius, radius * xasp // yasp)
+        else:
+            self._each(self.circle, x=x, y=y, radius=radius, color=color)
+
+    def arc(
+        self,
+        x: Numbers,
+        y: Numbers,
+        stangle: Numbers,
+        endangle: Numbers,
+        radius: Numbers,
+        color: Numbers | None = None,
+    ) -> None:
+        """Draw a part of a circle."""
+        self._each(
+            self._arc, x=x, y=y, stangle=stangle, endangle=endangle, radius=radius, color=color
+        )
+
+    def _arc(self, x: int, y: int, start: int, end: int, radius: int) -> None:
+        xasp, yasp = self.aspect
+        self._elliptic_arc(x, y, start, end, radius, radius * xasp // yasp)
+
+    def ellipse(
+        self,
+        x: Numbers,
+        y: Numbers,
+        stangle: Numbers,
+        endangle: Numbers,
+        xradius: Numbers,
+        yradius: Numbers,
+        color: Numbers | None = None,
+    ) -> None:
+        """Draw an ellipse or a part of one."""
+        self._each(
+            self._elliptic_arc,
+            x=x,
+            y=y,
+            stangle=stangle,
+            endangle=endangle,
+            xradius=xradius,
+            yradius=yradius,
+            color=color,
+        )
+
+    def _elliptic_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
+        self._record_arc(x, y, start, end, rx, ry)
+        self._ellipse(x, y, start, end, rx, ry)
+
+    def _record_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
+        (x1, y1), (x2, y2) = curves.point_at(start, rx, ry), curves.point_at(end, rx, ry)
+        self._arc_coords = arccoordstype(x, y, x + x1, y + y1, x + x2, y + y2)
+
+    def _ellipse(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
+        """From angle to angle; a thin curve ignores line style and write mode."""
+        x, y, color = x + self._dx, y + self._dy, self.settings.color
+        if not curves.drawable(rx, ry):
+            return
+        if not self._thick:
+            if (start, end) == (0, 360):
+                self.page.ellipse(x, y, rx, ry, color)
+            else:
+                self.page.offsets(x, y, curves.arc(start, end, rx, ry), color)
+            return
+        corners = [(x + dx, y + dy) for dx, dy in curves.thick_points(start, end, rx, ry)]
+        for side in polygons.edges(corners):
+            for strand in lines.strands(*side):
+                if self._xor:
+                    self.page.styled_line(strand, color, SOLID_MASK, True)
+                else:
+                    self.page.line(*strand, color)
+
+    # Filled
+
+    def fillellipse(self, x: Numbers, y: Numbers, xradius: Numbers, yradius: Numbers) -> None:
+        """Fill an ellipse and draw its outline."""
+        self._each(self._fillellipse, x=x, y=y, xradius=xradius, yradius=yradius)
+
+    def _fillellipse(self, x: int, y: int, rx: int, ry: int) -> None:
+        steps = curves.quadrant(rx, ry)
+        self.page.fill_symmetric(
+            x + self._dx, y + self._dy, steps, self.settings.fill.color, self.settings.fill_rows
+        )
+        self._ellipse(x, y, 0, 360, rx, ry)
+
+    def pieslice(
+        self, x: Numbers, y: Numbers, stangle: Numbers, endangle: Numbers, radius: Numbers
+    ) -> None:
+        """Fill a slice of a circle and draw its outline."""
+        self._each(self._pieslice, x=x, y=y, stangle=stangle, endangle=endangle, radius=radius)
+
+    def _pieslice(self, x: int, y: int, start: int, end: int, radius: int) -> None:
+        xasp, yasp = self.aspect
+        self._sector(x, y, start, end, radius, radius * xasp // yasp)
+
+    def sector(
+        self,
+        x: Numbers,
+        y: Numbers,
+        stangle: Numbers,
+        endangle: Numbers,
+        xradius: Numbers,
+        yradius: Numbers,
+    ) -> None:
+        """Fill a slice of an ellipse and draw its outline."""
+        self._each(
+            self._sector,
+            x=x,
+            y=y,
+            stangle=stangle,
+            endangle=endangle,
+            xradius=xradius,
+            yradius=yradius,
+        )
+
+    def _sector(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
+        """Quadrant by quadrant: each piece's area, then its arc; the two radii at the end."""
+        if not curves.drawable(rx, ry):
+            return
+        start, end = sorted((start % 360, end if end == 360 else end % 360))
+        self._record_arc(x, y, start, end, rx, ry)
+        fill, color = self.settings.fill.color, self.settings.color
+        cx, cy = x + self._dx, y + self._dy
+        for first, last in curves.quarters(start, end):
+            arc = [(cx + dx, cy + dy) for dx, dy in curves.arc(first, last, rx, ry)]
+            self._fill_area([*arc, (cx, cy)], fill)
+            for side in polygons.edges(arc):
+                self._segment(*side, color)
+        for angle in (start, end):  # without an angle between them both radii are a dot
+            dx, dy = curves.point_at(angle, rx, ry) if start < end else (0, 0)
+            self._segment(cx, cy, cx + dx, cy + dy, color)

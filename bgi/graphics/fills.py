@@ -1,0 +1,157 @@
+"""Filled boxes and polygons, and flood filling."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.arguments import Numbers, polygon_points
+from bgi.graphics.lines import Lines
+from bgi.raster import lines, polygons
+from bgi.raster.floodfill import flood
+from bgi.raster.lines import Segment
+from bgi.raster.patterns import EMPTY_ROWS
+from bgi.raster.polygons import NO_SPANS, Point
+
+
+class Fills(Lines):
+    """A screen to fill shapes on."""
+
+    # Boxes
+
+    def bar(
+        self,
+        left: Numbers,
+        top: Numbers,
+        right: Numbers,
+        bottom: Numbers,
+        fill: Numbers | None = None,
+    ) -> None:
+        """Fill boxes in the fill pattern; no outline."""
+        if (
+            type(left) is int
+            and type(top) is int
+            and type(right) is int
+            and type(bottom) is int
+            and fill is None
+        ):
+            self._bar(left, top, right, bottom, self.settings.fill.color)
+        else:
+            shade = self.settings.fill.color if fill is None else fill
+            self._each(self._bar, left=left, top=top, right=right, bottom=bottom, fill=shade)
+
+    def _bar(self, left: int, top: int, right: int, bottom: int, fill: int) -> None:
+        x1, x2 = (left, right) if left <= right else (right, left)
+        y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
+        box = (x1 + self._dx, y1 + self._dy, x2 + self._dx, y2 + self._dy)
+        self.page.fill(box, fill & self._mask, self.settings.fill_rows)
+
+    def bar3d(
+        self,
+        left: Numbers,
+        top: Numbers,
+        right: Numbers,
+        bottom: Numbers,
+        depth: Numbers,
+        topflag: Numbers,
+    ) -> None:
+        """Fill a box, and outline it with its side and top in depth."""
+        self._each(
+            self._bar3d,
+            left=left,
+            top=top,
+            right=right,
+            bottom=bottom,
+            depth=depth,
+            topflag=topflag,
+        )
+
+    def _bar3d(
+        self, left: int, top: int, right: int, bottom: int, depth: int, topflag: int
+    ) -> None:
+        x1, x2 = sorted((left, right))
+        y1, y2 = sorted((top, bottom))
+        if x2 - x1 > 1 and y2 - y1 > 1:
+            self._bar(x1 + 1, y1 + 1, x2 - 1, y2 - 1, self.settings.fill.color)
+        self.rectangle(x1, y1, x2, y2)
+        if depth == 0:
+            return
+        x3, raised = x2 + depth, (depth * 3) >> 2
+        self.line(x2, y2, x3, y2 - raised)
+        self.line(x3, y2 - raised, x3, y1 - raised)
+        if topflag:
+            self.line(x3, y1 - raised, x1 + depth, y1 - raised)
+            self.line(x1 + depth, y1 - raised, x1, y1)
+            self.line(x2, y1, x3, y1 - raised)
+
+    # Polygons
+
+    def fillpoly(
+        self,
+        points: Numbers,
+        flat: Numbers | None = None,
+        fill: Numbers | None = None,
+        color: Numbers | None = None,
+    ) -> None:
+        """Fill polygons, then draw their outlines."""
+        corners = polygon_points(points, flat)
+        settings = self.settings
+        if isinstance(corners, list):
+            shade = self._one_color("fill", fill, settings.fill.color)
+            ink = self._one_color("color", color, settings.color)
+            self._fill_polygon(self._shifted(corners), shade, ink)
+            return
+        fills = self._colors("fill", fill, settings.fill.color, len(corners))
+        colors = self._colors("color", color, settings.color, len(corners))
+        if self._xor:  # the next fill must cover a side before the next side meets it
+            for one, shade, ink in zip(corners.tolist(), fills, colors, strict=True):
+                self._fill_polygon(self._shifted(one), int(shade), int(ink))
+        else:
+            self._fill_polygons(corners + self._origin, fills, colors)
+
+    def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
+        sides = self._fill_area(points, fill)
+        if color:  # an outline in colour 0 is not drawn
+            for side in sides:
+                self._segment(*side, color)
+
+    def _fill_area(self, points: list[Point], fill: int) -> list[Segment]:
+        """Fill a polygon, which is closed first; returns its sides."""
+        sides = polygons.edges([*points, *points[:1]])
+        rows = self.settings.fill_rows
+        if rows != EMPTY_ROWS:  # EMPTY_FILL leaves a polygon's interior alone
+            _, top, _, bottom = self.page.box
+            self.page.fill_rows(polygons.scan(sides, top, bottom), fill, rows)
+        return sides
+
+    def _fill_polygons(
+        self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
+    ) -> None:
+        sides, real = polygons.edges_many(np.concatenate([points, points[:, :1]], axis=1))
+        real &= (colors != 0)[:, None]
+        rows, box = self.settings.fill_rows, self.page.box
+        for part, spans in polygons.spans(sides, box[1], box[3]):
+            owners = np.nonzero(real[part])[0] + part.start
+            x1, y1, x2, y2 = sides[part][real[part]].T
+            segments = (x1, y1, x2, y2)
+            if self._thick:
+                segments, owners = lines.strands_many(segments), np.repeat(owners, 3)
+            filled = NO_SPANS if rows == EMPTY_ROWS else spans
+            self.page.paint(filled, fills, rows, segments, owners, colors, self._pattern)
+
+    # Flood filling
+
+    def floodfill(self, x: Numbers, y: Numbers, border: Numbers) -> None:
+        """Fill the area around a point up to a border colour."""
+        self._each(self._floodfill, x=x, y=y, border=border)
+
+    def _floodfill(self, x: int, y: int, border: int) -> None:
+        left, top, right, bottom = self.page.box
+        x, y = x + self._dx - left, y + self._dy - top
+        inside = self.page.differs_from(border & self._mask)
+        if not (0 <= x <= right - left and 0 <= y <= bottom - top and inside[y, x]):
+            return
+        fill, pattern = self.settings.fill.color, self.settings.fill_rows
+        rows, starts, ends = flood(inside, self.page.differs_from(fill, pattern), x, y)
+        where = [y + top for y in rows], [x + left for x in starts], [x + left for x in ends]
+        self.page.fill_rows(where, fill, pattern)

@@ -1,0 +1,87 @@
+"""Pieces of the screen, in memory and on disk."""
+
+import os
+
+from bgi.arguments import Number, whole
+from bgi.constants import COPY_PUT, NOT_PUT, grError
+from bgi.errors import result
+from bgi.graphics.screen import Screen
+from bgi.imagefile import save_png
+from bgi.images import LARGEST, Image, byte_size
+
+Buffer = bytes | bytearray | memoryview
+
+
+class Images(Screen):
+    """A screen to take pieces from and to put them on."""
+
+    def imagesize(self, left: Number, top: Number, right: Number, bottom: Number) -> int:
+        """The bytes of Borland's layout; 65535 and -11 from 64K on."""
+        width = abs(whole("right", right) - whole("left", left)) + 1
+        height = abs(whole("bottom", bottom) - whole("top", top)) + 1
+        size = byte_size(width, height, self.mode.colors)
+        if size >= 0xFFFF:
+            result.set(grError)
+            return 0xFFFF
+        return size
+
+    def getimage(
+        self,
+        left: Number,
+        top: Number,
+        right: Number,
+        bottom: Number,
+        buffer: bytearray | memoryview | None = None,
+    ) -> Image:
+        """Copy a rectangle of the active page."""
+        x1, x2 = sorted((whole("left", left), whole("right", right)))
+        y1, y2 = sorted((whole("top", top), whole("bottom", bottom)))
+        width, height = x2 - x1 + 1, y2 - y1 + 1
+        if width * height > LARGEST:
+            raise ValueError(f"an image of {width}x{height} pixels is too large")
+        image = Image(self.page.copy(x1 + self._dx, y1 + self._dy, width, height), self.mode.colors)
+        if buffer is not None:
+            _store(bytes(image), buffer)
+        return image
+
+    def putimage(self, left: Number, top: Number, image: Image | Buffer, op: Number) -> None:
+        """Put an image on the active page."""
+        x, y, operator = whole("left", left), whole("top", top), whole("op", op)
+        if not isinstance(image, Image):
+            image = Image.frombytes(image, self.mode.colors)
+        if COPY_PUT <= operator <= NOT_PUT:
+            self.page.combine(x + self._dx, y + self._dy, image.array, operator, self._mask)
+        else:
+            result.set(grError)
+
+    def writeimagefile(
+        self,
+        filename: str | os.PathLike[str],
+        left: Number = 0,
+        top: Number = 0,
+        right: Number | None = None,
+        bottom: Number | None = None,
+    ) -> None:
+        """Save a part of the active page as a PNG."""
+        x1, y1 = max(0, whole("left", left)), max(0, whole("top", top))
+        x2 = self.getmaxx() if right is None else whole("right", right)
+        y2 = self.getmaxy() if bottom is None else whole("bottom", bottom)
+        part = self.page.array[y1 : max(y2 + 1, 0), x1 : max(x2 + 1, 0)]
+        if not part.size:
+            raise ValueError(f"nothing of {left}, {top}, {right}, {bottom} is on the screen")
+        save_png(filename, part, self.card.palette)
+
+
+def _store(data: bytes, buffer: bytearray | memoryview) -> None:
+    """Copy into the caller's buffer, as getimage() does in C."""
+    try:
+        view = memoryview(buffer).cast("B")
+    except TypeError:
+        raise TypeError(
+            f"buffer must be a bytearray or another writable buffer, not {type(buffer).__name__}"
+        ) from None
+    if view.readonly:
+        raise TypeError("buffer must be writable; bytes are not: use bytearray(imagesize(...))")
+    if len(view) < len(data):
+        raise ValueError(f"buffer must hold {len(data)} bytes (imagesize), not {len(view)}")
+    view[: len(data)] = data
