@@ -1,4 +1,4 @@
-"""The video memory: colour indices, palette and visible page in one buffer that two processes map.
+"""The video memory: pixels, palette and visible page in one buffer that two processes map.
 
 The program writes, a monitor (`bgi.monitor`) looks. Neither waits for the other: there are no
 locks, a picture caught in the middle of a stroke is put right a sixtieth of a second later.
@@ -18,12 +18,16 @@ Layout, little-endian, for whoever wants to write another monitor:
         12     4  width in pixels; 0 = no mode is set, show nothing
         16     4  height in pixels
         20     4  number of pages
-        24     4  bytes per pixel: 1
+        24     4  bytes per pixel: 1 or 4
         28     4  visible page, 0 ... pages - 1
         32     4  changes: grows (modulo 2**32) with every change of mode or visible page
+        36     4  1 if pixels are square, 0 if the page fills a monitor of 4:3
         64   768  palette: 256 times red, green, blue
       4096        pixels: page after page, rows from top to bottom, no padding
     ======  ====  ======================================================================
+
+A pixel of one byte is an index into the palette. One of four bytes is a number, little-endian: below
+16 it is an index too, and any other value is a colour in its low 24 bits, red lowest.
 
 A change of mode writes the width last and sets it to 0 first. A monitor that finds the same header
 twice in a row has therefore not read half of one.
@@ -35,7 +39,7 @@ import os
 import struct
 import sys
 import weakref
-from typing import Self
+from typing import NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -45,10 +49,22 @@ VERSION = 1
 PALETTE = 64
 PIXELS = 4096
 LARGEST = 4096  # no mode is wider or higher; a header that says so is damaged
+DEPTHS = (1, 4)  # bytes per pixel
 
-_HEADER = struct.Struct("<8s7I")  # magic and the seven numbers that follow it
+_HEADER = struct.Struct("<8s8I")  # magic and the eight numbers that follow it
 _U32 = struct.Struct("<I")
-_AT_WIDTH, _AT_HEIGHT, _AT_PAGES, _AT_VISIBLE, _AT_CHANGES = 12, 16, 20, 28, 32
+_AT_WIDTH, _AT_HEIGHT, _AT_PAGES, _AT_PIXEL_BYTES = 12, 16, 20, 24
+_AT_VISIBLE, _AT_CHANGES, _AT_SQUARE = 28, 32, 36
+
+
+class Frame(NamedTuple):
+    """What there is to see at a moment: a mode, and a copy of the visible page."""
+
+    width: int
+    height: int
+    pixel_bytes: int
+    square: bool
+    pixels: bytes
 
 
 class Card:
@@ -65,7 +81,7 @@ class Card:
         else:
             fd = _anonymous_file(size)
             self._take(mmap.mmap(fd, size), f"fd:{fd}:{size}", fd)
-        _HEADER.pack_into(self._map, 0, MAGIC, VERSION, 0, 0, 0, 1, 0, 0)
+        _HEADER.pack_into(self._map, 0, MAGIC, VERSION, 0, 0, 0, 1, 0, 0, 0)
 
     @classmethod
     def attach(cls, handle: str) -> Self:
@@ -98,14 +114,20 @@ class Card:
         self.inherit: tuple[int, ...] = () if fd is None else (fd,)
         self._release = weakref.finalize(self, _close_all, self.inherit)
 
-    def set_mode(self, width: int, height: int, pages: int) -> None:
+    def set_mode(
+        self, width: int, height: int, pages: int, pixel_bytes: int = 1, square: bool = False
+    ) -> None:
         """Give the memory a new shape, all pixels 0, page 0 visible; the palette stays.
 
-        Raises ValueError when the mode does not fit into the card.
+        `pixel_bytes` is 1 for palette indices and 4 for colours; `square` says that pixels are, so
+        that the page is not to be stretched to 4:3. Raises ValueError when the mode does not fit
+        into the card.
         """
-        used = width * height * pages
+        used = width * height * pages * pixel_bytes
         if not (0 < width <= LARGEST and 0 < height <= LARGEST and pages > 0):
             raise ValueError(f"no mode has {pages} pages of {width} x {height} pixels")
+        if pixel_bytes not in DEPTHS:
+            raise ValueError(f"a pixel has 1 or 4 bytes, not {pixel_bytes}")
         if used > self.capacity:
             raise ValueError(
                 f"{pages} pages of {width} x {height} pixels need {used} bytes, "
@@ -115,6 +137,8 @@ class Card:
         self._map[PIXELS : PIXELS + used] = bytes(used)
         self._set(_AT_HEIGHT, height)
         self._set(_AT_PAGES, pages)
+        self._set(_AT_PIXEL_BYTES, pixel_bytes)
+        self._set(_AT_SQUARE, square)
         self._set(_AT_VISIBLE, 0)
         self.touch()
         self._set(_AT_WIDTH, width)
@@ -138,6 +162,16 @@ class Card:
     def pages(self) -> int:
         """The number of pages."""
         return self._get(_AT_PAGES)
+
+    @property
+    def pixel_bytes(self) -> int:
+        """The bytes of a pixel: 1 or 4."""
+        return self._get(_AT_PIXEL_BYTES)
+
+    @property
+    def square(self) -> bool:
+        """Whether pixels are square; otherwise the page fills a monitor of 4:3."""
+        return bool(self._get(_AT_SQUARE))
 
     @property
     def changes(self) -> int:
@@ -165,24 +199,26 @@ class Card:
 
     def page(self, number: int) -> memoryview:
         """The bytes of one page, writable, row by row; ValueError if there is no such page."""
-        size = self.width * self.height
+        size = self.width * self.height * self.pixel_bytes
         start = PIXELS + self._existing(number) * size
         return memoryview(self._map)[start : start + size]
 
-    def frame(self) -> tuple[int, int, bytes] | None:
-        """What to show now: width, height and a copy of the visible page; None for nothing.
+    def frame(self) -> Frame | None:
+        """What to show now; None for nothing.
 
         For monitors: believes nothing in the header that it has not checked.
         """
         header = _HEADER.unpack_from(self._map)
-        _, _, width, height, pages, _, visible, _ = header
-        size = width * height
+        _, _, width, height, pages, pixel_bytes, visible, _, square = header
+        size = width * height * pixel_bytes
         if not (0 < width <= LARGEST and 0 < height <= LARGEST and visible < pages):
             return None
-        if size * pages > self.capacity or header != _HEADER.unpack_from(self._map):
+        if pixel_bytes not in DEPTHS or size * pages > self.capacity:
+            return None
+        if header != _HEADER.unpack_from(self._map):
             return None
         start = PIXELS + visible * size
-        return width, height, self._map[start : start + size]
+        return Frame(width, height, pixel_bytes, bool(square), self._map[start : start + size])
 
     def close(self) -> None:
         """Let go of the memory; views that somebody still holds stay valid until dropped."""

@@ -189,3 +189,15 @@ CENTER_TEXT = 1
 RIGHT_TEXT = 2
 BOTTOM_TEXT = 0
 TOP_TEXT = 2
+
+# What registerbgidriver and registerbgifont take: the names of linked-in drivers and fonts
+CGA_driver = "CGA"
+EGAVGA_driver = "EGAVGA"
+Herc_driver = "HERC"
+ATT_driver = "ATT"
+PC3270_driver = "PC3270"
+IBM8514_driver = "IBM8514"
+triplex_font = "TRIP"
+small_font = "LITT"
+sansserif_font = "SANS"
+gothic_font = "GOTH"

@@ -75,6 +75,20 @@ MODES = [
     GraphicsMode(VGA, 2, 640, 480, 16, 2, 1, 10000, "EGA350", "640 x 480 VGA"),
     GraphicsMode(PC3270, 0, 720, 350, 2, 2, 1, 6481, "MONO", "720 x 350 3270 PC"),
 ]
+SVGA256 = [
+    GraphicsMode(0, number, width, height, 256, 2, 1, xasp, "IBM8514", f"{width}x{height}x256 SVGA")
+    for number, (width, height, xasp) in enumerate(
+        [
+            (320, 200, 8333),
+            (640, 400, 8333),
+            (640, 480, 10000),
+            (800, 600, 10000),
+            (1024, 768, 10000),
+        ]
+    )
+]
+"""The modes of the well-known driver SVGA256.BGI, which installuserdriver() adds."""
+
 DRIVER_NAMES = {
     CGA: "CGA",
     MCGA: "CGA",

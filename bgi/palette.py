@@ -15,7 +15,7 @@ value into red, green and blue:
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.constants import IBM8514, VGA
+from bgi.constants import VGA
 from bgi.modes import GraphicsMode
 
 RGB = tuple[int, int, int]
@@ -94,7 +94,7 @@ class Palette:
     def __init__(self, mode: GraphicsMode, shown: NDArray[np.uint8]) -> None:
         """Take the default palette of `mode`; `shown` is the card's (256, 3) table of colours."""
         self.kind = mode.palette
-        self._has_dac = mode.driver in (VGA, IBM8514)
+        self._has_dac = mode.driver == VGA or self.kind == "IBM8514"
         self._shown = shown
         self._shown[:] = 0
         self._dac: list[RGB] = []

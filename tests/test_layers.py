@@ -25,6 +25,7 @@ LAYERS = [
     "bgi.images",
     "bgi.fonts.",
     "bgi.settings",
+    "bgi.kernel",
     "bgi.card",
     "bgi.keyboard",
     "bgi.monitor.protocol",

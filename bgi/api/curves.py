@@ -3,8 +3,8 @@
 Angles are whole degrees, 0 at three o'clock, growing counter-clockwise; those beyond a turn are
 brought into it. The line style is ignored; the width is honoured, the write mode only by thick
 curves. circle(), arc() and pieslice() take one radius, in pixels across, and flatten the curve by
-the mode's aspect ratio; the others take both radii as they are. A radius of 0 is drawn like 1; negative
-ones, and those above 6553, draw nothing. Arrays draw many.
+the mode's aspect ratio; the others take both radii as they are. A radius of 0 is drawn like 1;
+negative ones, and those above 6553, draw nothing. Arrays draw many.
 """
 
 from bgi import current

@@ -7,12 +7,14 @@ from bgi.constants import (
     DETECT,
     VGA,
     VGAHI,
+    grFileNotFound,
     grInvalidDriver,
     grInvalidMode,
     grOk,
 )
 from bgi.errors import message, result
-from bgi.modes import find, mode_range
+from bgi.kernel import DRIVERS, FONTS, Detect
+from bgi.modes import DRIVER_NAMES
 
 
 def detectgraph() -> tuple[int, int]:
@@ -40,18 +42,20 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     if not isinstance(path, str):
         raise TypeError(f"path must be a str, not {type(path).__name__}: {path!r:.60}")
     if driver == DETECT:
-        driver, number = detectgraph()
-    mode = find(driver, number)
+        driver, number = DRIVERS.autodetect() or detectgraph()
+    mode = DRIVERS.find(driver, number)
     if mode is not None:
         current.open_screen(mode)
         current.screen.path = path
         result.set(grOk)
-    elif mode_range(driver) == (-1, -1):
-        result.set(grInvalidDriver)
-        driver = grInvalidDriver
-    else:
+        return driver, number
+    if DRIVERS.mode_range(driver) != (-1, -1):
         result.set(grInvalidMode)
-    return driver, number
+        return driver, number
+    name = DRIVERS.name(driver)
+    failure = grInvalidDriver if name is None else grFileNotFound
+    result.set(failure, f"{name}.BGI")
+    return failure, number
 
 
 def closegraph() -> None:
@@ -73,7 +77,7 @@ def setgraphmode(mode: Number) -> None:
     leads back from restorecrtmode(). Source: graphics.h.
     """
     number = whole("mode", mode)
-    wanted = find(current.reachable().mode.driver, number)
+    wanted = DRIVERS.find(current.reachable().mode.driver, number)
     if wanted is None:
         result.set(grInvalidMode)
     else:
@@ -130,7 +134,7 @@ def getmoderange(driver: Number) -> tuple[int, int]:
     number = whole("driver", driver)
     if number == CURRENT_DRIVER:
         number = current.reachable().mode.driver
-    found = mode_range(number)
+    found = DRIVERS.mode_range(number)
     if found == (-1, -1):
         result.set(grInvalidDriver)
     return found
@@ -161,3 +165,118 @@ def grapherrormsg(code: Number) -> str:
     An unknown code gives "Graphics error (code)". Leaves the error code alone. Source: graphics.h.
     """
     return message(whole("code", code))
+
+
+def installuserdriver(name: str, detect: Detect | None = None) -> int:
+    """Add a driver to the kernel's table; initgraph() can then open it by its number.
+
+    Args:
+        name: its file name without .BGI. "SVGA256" brings five modes of 256 colours, from 320x200
+            to 1024x768; there are no files behind other names.
+        detect: called by initgraph(DETECT); it returns the mode to use, or a negative number.
+
+    Returns the driver's number, 11 or more, or -11 when the ten places are taken. Source:
+    graphics.h.
+    """
+    if not isinstance(name, str):
+        raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
+    number = DRIVERS.install(name.upper().removesuffix(".BGI"), detect)
+    if number < 0:
+        result.set(number)
+    return number
+
+
+def registerbgidriver(driver: str | bytes) -> int:
+    """Register a driver that was linked into the program; here every driver is there already.
+
+    Args:
+        driver: EGAVGA_driver and its like, or the bytes of a .BGI file.
+
+    Returns the number of its first driver, or -4 (and graphresult() says so) if it is none of
+    Borland's. Source: graphics.h.
+    """
+    name = driver
+    if isinstance(driver, bytes):
+        start = driver.find(b"(") if driver[:4] == b"pk\x08\x08" else -1
+        name = driver[start + 1 : start + 9].split(b")")[0].decode("latin-1")
+    elif not isinstance(driver, str):
+        raise TypeError(f"driver must be a str or bytes, not {type(driver).__name__}")
+    for number, known in DRIVER_NAMES.items():
+        if name == known:
+            return number
+    result.set(grInvalidDriver)
+    return grInvalidDriver
+
+
+def registerfarbgidriver(driver: str | bytes) -> int:
+    """Register a driver, as registerbgidriver() does. Source: graphics.h."""
+    return registerbgidriver(driver)
+
+
+def installuserfont(name: str) -> int:
+    """Add a .CHR file to the table of fonts; settextstyle() loads it by the number returned.
+
+    Args:
+        name: a file name of at most 8 characters, or a path, with or without .CHR.
+
+    Returns 11 or more, the number it has if it is there already, or -11 when the 20 places are
+    taken. Source: graphics.h.
+    """
+    if not isinstance(name, str):
+        raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
+    number = FONTS.install(name)
+    if number < 0:
+        result.set(number)
+    return number
+
+
+def registerbgifont(font: str | bytes) -> int:
+    """Register a font that was linked into the program, or loaded into memory.
+
+    Args:
+        font: triplex_font and its like, or the bytes of a .CHR file.
+
+    Returns its number for settextstyle(); -13 if it is no font, -11 when the table is full, and
+    graphresult() says so too. Source: graphics.h.
+    """
+    number = FONTS.install(font) if isinstance(font, str) else FONTS.register(font)
+    if number < 0:
+        result.set(number)
+    return number
+
+
+def registerfarbgifont(font: str | bytes) -> int:
+    """Register a font, as registerbgifont() does. Source: graphics.h."""
+    return registerbgifont(font)
+
+
+_bufsize = 4096
+
+
+def setgraphbufsize(size: Number) -> int:
+    """Set the size of the buffer for filling and return the one before, at first 4096.
+
+    Args:
+        size: bytes, 0..65535. Nothing here runs out of it. Source: graphics.h.
+    """
+    global _bufsize
+    before, _bufsize = _bufsize, whole("size", size) & 0xFFFF
+    return before
+
+
+def _graphgetmem(size: Number) -> bytearray:
+    """Return a block of memory, as the kernel's own hook does.
+
+    Args:
+        size: bytes, 0..65535. Source: graphics.h.
+    """
+    return bytearray(whole("size", size) & 0xFFFF)
+
+
+def _graphfreemem(block: bytearray, size: Number) -> None:
+    """Give back a block of memory from _graphgetmem().
+
+    Args:
+        block: what _graphgetmem() returned.
+        size: its size; Python frees it when nobody holds it any more. Source: graphics.h.
+    """

@@ -41,7 +41,7 @@ class Operation(NamedTuple):
     y: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # a font is equal to itself only: a quick key for caches
 class StrokedFont:
     """A stroked font in its own units, which are pixels at size 4; y grows upward.
 
@@ -55,9 +55,6 @@ class StrokedFont:
     dec: int
     widths: tuple[int, ...]
     strokes: tuple[tuple[Operation, ...], ...]
-
-    def __hash__(self) -> int:
-        return hash((self.name, self.first, self.cap, self.dec))
 
     def width(self, code: int) -> int:
         """How far the pen advances after the character; 0 outside the font."""

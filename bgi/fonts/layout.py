@@ -7,6 +7,7 @@ counter-clockwise, so that it reads upward.
 """
 
 from functools import lru_cache
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +33,9 @@ SIZES = {
     )
 }
 """What settextstyle's sizes 1..10 mean for stroked fonts."""
+
+
+_NOTHING = np.empty((0, 4), dtype=np.int64)
 
 
 def _scaled(number: int, mult: int, div: int) -> int:
@@ -60,19 +64,21 @@ def segments(
 
     A row whose ends are one point is a dot. Characters outside the font draw nothing.
     """
-    rows: list[tuple[int, int, int, int]] = []
-    start = 0
-    for code in text:
-        rows += [(x1 + start, y1, x2 + start, y2) for x1, y1, x2, y2 in _glyph(font, code, scale)]
-        start += _scaled(font.width(code), scale.mx, scale.dx)
-    lines = np.array(rows, dtype=np.int64).reshape(-1, 4)
-    lines = -lines[:, [1, 0, 3, 2]] if vertical else lines * (1, -1, 1, -1)
+    glyphs = [_glyph(font, code, scale) for code in text]
+    widths = [_scaled(font.width(code), scale.mx, scale.dx) for code in text]
+    lines = np.concatenate([_NOTHING, *glyphs])
+    starts = np.array([0, *accumulate(widths)][:-1], dtype=np.int64)
+    lines[:, ::2] += starts.repeat([len(glyph) for glyph in glyphs])[:, np.newaxis]
+    if vertical:
+        lines = -lines[:, [1, 0, 3, 2]]
+    else:
+        lines[:, 1::2] *= -1
     lines.flags.writeable = False
     return lines
 
 
 @lru_cache(maxsize=1024)
-def _glyph(font: StrokedFont, code: int, scale: Scale) -> tuple[tuple[int, int, int, int], ...]:
+def _glyph(font: StrokedFont, code: int, scale: Scale) -> NDArray[np.int64]:
     """The lines of one character, scaled, y upward. Its pen starts lifted."""
     mx, dx, my, dy = scale
     rows, pen = [], None
@@ -81,7 +87,7 @@ def _glyph(font: StrokedFont, code: int, scale: Scale) -> tuple[tuple[int, int, 
         if draw and pen is not None:
             rows.append((*pen, *point))
         pen = point
-    return tuple(rows)
+    return np.array(rows, dtype=np.int64).reshape(-1, 4)
 
 
 def anchor(

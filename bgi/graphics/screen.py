@@ -19,7 +19,8 @@ from bgi.constants import (
     grError,
 )
 from bgi.errors import result
-from bgi.modes import DRIVER_NAMES, YASP, GraphicsMode, find, mode_range
+from bgi.kernel import DRIVERS
+from bgi.modes import YASP, GraphicsMode
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
 from bgi.page import Page
@@ -281,16 +282,16 @@ class Screen:
 
     def getmaxmode(self) -> int:
         """The largest mode number of the driver."""
-        return mode_range(self.mode.driver)[1]
+        return DRIVERS.mode_range(self.mode.driver)[1]
 
     def getmodename(self, mode: Number) -> str | None:
         """The driver's name for one of its modes, None for an unknown one."""
-        found = find(self.mode.driver, whole("mode", mode))
+        found = DRIVERS.find(self.mode.driver, whole("mode", mode))
         return None if found is None else found.name
 
     def getdrivername(self) -> str:
         """The name of the driver's file."""
-        return DRIVER_NAMES[self.mode.driver]
+        return DRIVERS.name(self.mode.driver) or ""
 
 
 def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:

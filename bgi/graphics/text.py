@@ -21,17 +21,14 @@ from bgi.fonts import bitmap, layout
 from bgi.fonts.chr import FontError, StrokedFont
 from bgi.fonts.codepage import encode
 from bgi.fonts.layout import Scale
-from bgi.fonts.table import FontTable
 from bgi.graphics.lines import Lines
+from bgi.kernel import FONTS
 from bgi.page import FAR
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
 
 LARGEST = 10
 """The largest character size; what is larger is drawn in this size."""
-
-FONTS = FontTable()
-"""The kernel's table of fonts: one for all screens, and closegraph() leaves it alone."""
 
 
 class Text(Lines):

@@ -26,20 +26,26 @@ LATE = 0.002  # a wait rounds up to milliseconds; so much is made good at the ne
 MESSAGE = pygame.USEREVENT
 
 
-def fit(width: int, height: int, max_width: int, max_height: int) -> tuple[int, int]:
+def fit(
+    width: int, height: int, max_width: int, max_height: int, square: bool = False
+) -> tuple[int, int]:
     """The size of the window for a mode: 4:3, as every mode filled a monitor of 4:3.
 
     Each pixel is a whole number of screen pixels wide, as many as fit into the maximum, and at
-    least one screen pixel high; if need be the window is larger than the maximum.
+    least one screen pixel high; if need be the window is larger than the maximum. Pixels that are
+    `square` stay so.
     """
+    if square:
+        step = max(min(max_width // width, max_height // height), 1)
+        return step * width, step * height
     fitting = min(max_width // width, max_height * 4 // (3 * width))
     step = max(fitting, math.ceil(4 * height / (3 * width)), 1)
     return step * width, step * width * 3 // 4
 
 
 def largest(desktop_width: int, desktop_height: int) -> tuple[int, int]:
-    """The maximum for `fit`: 640 x 480 or twice that, if it leaves a fifth of the desktop free."""
-    step = min(desktop_width * 4 // 5 // 640, desktop_height * 4 // 5 // 480)
+    """The maximum for `fit`: 640 x 480 or twice that, if a tenth of the desktop stays free."""
+    step = min(desktop_width * 9 // 10 // 640, desktop_height * 9 // 10 // 480)
     step = min(max(step, 1), 2)
     return step * 640, step * 480
 

@@ -1,0 +1,154 @@
+"""getimage, putimage and Borland's byte layout."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import bgi
+from bgi import Image
+from bgi.errors import result
+
+
+@pytest.mark.parametrize(
+    "corners, size",
+    [
+        ((0, 0, 0, 0), 10),
+        ((0, 0, 7, 7), 38),
+        ((0, 0, 8, 0), 14),
+        ((15, 15, 0, 0), 134),
+        ((0, 0, 99, 49), 2606),
+        ((0, 0, 639, 203), 65286),
+    ],
+)
+def test_imagesize(vga, corners, size):
+    assert vga.imagesize(*corners) == size
+    if vga.imagesize(*corners) < 40:
+        assert len(bytes(vga.getimage(*corners))) == size
+
+
+def test_imagesize_of_64k(vga):
+    assert vga.imagesize(0, 0, 639, 204) == 65535
+    assert result.take() == -11
+    assert vga.getimage(0, 0, 639, 479).array.shape == (480, 640)
+
+
+@pytest.mark.parametrize("driver, mode, size", [(1, 0, 6 + 3 * 2), (1, 4, 6 + 3), (6, 0, 6 + 15)])
+def test_imagesize_in_other_modes(new_screen, driver, mode, size):
+    screen = new_screen(driver, mode)
+    assert screen.imagesize(0, 0, 4, 2) == size
+    assert len(bytes(screen.getimage(0, 0, 4, 2))) == size
+
+
+def test_layout_of_sixteen_colours(vga):
+    """Width - 1, height - 1, then planes intensity, red, green, blue; first pixel highest."""
+    vga.putpixel(range(3), 0, [8, 4, 3])
+    block = bytes(vga.getimage(0, 0, 2, 0))
+    assert block.hex(" ") == "02 00 00 00 80 40 20 20 00 00"
+
+
+def test_layout_of_four_colours(new_screen):
+    screen = new_screen(1, 0)
+    screen.putpixel(range(5), 0, [0, 1, 2, 3, 1])
+    assert bytes(screen.getimage(0, 0, 4, 0)).hex(" ") == "04 00 00 00 1b 40 00 00"
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.integers(1, 30), st.integers(1, 9), st.sampled_from([2, 4, 16, 256]), st.integers(0, 99))
+def test_round_trip(width, height, colors, seed):
+    array = np.random.default_rng(seed).integers(0, colors, (height, width)).astype(np.uint8)
+    image = Image(array, colors)
+    again = Image.frombytes(bytes(image), colors)
+    assert (again.array == array).all()
+    assert bytes(again) == bytes(image)
+    assert (again.width, again.height) == (width, height)
+
+
+@settings(deadline=None)
+@given(st.binary(max_size=80), st.sampled_from([2, 4, 16, 256]))
+def test_any_bytes_are_an_image_or_a_clear_error(block, colors):
+    try:
+        image = Image.frombytes(block, colors)
+    except ValueError as error:
+        assert "needs" in str(error)
+    else:
+        assert image.array.max() < colors
+
+
+def test_the_c_form_fills_a_buffer(vga):
+    vga.line(0, 0, 20, 20)
+    buffer = bytearray(vga.imagesize(0, 0, 20, 20) + 5)
+    image = vga.getimage(0, 0, 20, 20, buffer)
+    assert buffer.startswith(bytes(image))
+    vga.putimage(100, 100, buffer, bgi.COPY_PUT)
+    assert vga.getpixel(120, 120) == 15
+    array = np.zeros(1000, np.uint8)
+    vga.getimage(0, 0, 20, 20, array)
+    assert array[:4].tolist() == [20, 0, 20, 0]
+    with pytest.raises(ValueError, match="must hold"):
+        vga.getimage(0, 0, 20, 20, bytearray(10))
+    for wrong in (b"1234", "x", 7):
+        with pytest.raises(TypeError, match="buffer must be"):
+            vga.getimage(0, 0, 1, 1, wrong)
+
+
+@pytest.mark.parametrize(
+    "op, shown",
+    [
+        (bgi.COPY_PUT, 12),
+        (bgi.XOR_PUT, 6),
+        (bgi.OR_PUT, 14),
+        (bgi.AND_PUT, 8),
+        (bgi.NOT_PUT, 3),
+    ],
+)
+def test_operators(vga, op, shown):
+    vga.putpixel(5, 5, 10)
+    vga.putimage(5, 5, Image(np.full((1, 1), 12, np.uint8)), op)
+    assert vga.getpixel(5, 5) == shown
+
+
+def test_an_unknown_operator(vga):
+    vga.putimage(0, 0, vga.getimage(0, 0, 3, 3), 5)
+    assert result.take() == -11
+
+
+def test_xor_twice_restores(vga):
+    vga.setfillstyle(9, 5)
+    vga.bar(0, 0, 100, 100)
+    before = vga.page.array.copy()
+    sprite = vga.getimage(3, 3, 40, 40)
+    for _ in range(2):
+        vga.putimage(30, 50, sprite, bgi.XOR_PUT)
+    assert (vga.page.array == before).all()
+
+
+def test_off_the_screen(vga):
+    vga.bar(0, 0, 639, 479)
+    image = vga.getimage(-5, -5, 4, 4)
+    assert image.array[:5].max() == image.array[:, :5].max() == 0
+    assert image.array[5:, 5:].min() == 15
+    vga.cleardevice()
+    for x, y in [(-5, -5), (635, -5), (635, 475), (-5, 475), (10**20, 0), (0, -(10**20))]:
+        vga.putimage(x, y, image, bgi.COPY_PUT)
+    assert vga.page.array.sum() == 5 * 5 * 15
+    with pytest.raises(ValueError, match="too large"):
+        vga.getimage(0, 0, 10**9, 10**9)
+
+
+def test_viewport_moves_but_does_not_clip_images(vga):
+    vga.bar(0, 0, 9, 9)
+    image = vga.getimage(0, 0, 9, 9)
+    vga.cleardevice()
+    vga.setviewport(100, 100, 104, 104, 1)
+    vga.putimage(0, 0, image, bgi.COPY_PUT)
+    assert vga.page.array.sum() == 100 * 15
+    assert vga.getimage(0, 0, 9, 9).array.min() == 15
+
+
+def test_wrong_images(vga):
+    for wrong in (None, 5, "abc"):
+        with pytest.raises((TypeError, ValueError)):
+            vga.putimage(0, 0, wrong, 0)
+    with pytest.raises(ValueError, match="needs"):
+        vga.putimage(0, 0, b"\x05\x00\x05\x00", 0)
