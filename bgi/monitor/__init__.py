@@ -52,14 +52,14 @@ def choose(
     wish = os.environ.get("BGI_MONITOR", "")
     if wish not in ("", "window", "none"):
         raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window' or 'none'")
-    if wish == "window" or (not wish and _display_exists()):
+    if wish == "window" or (not wish and display_exists()):
         return Window(card, title, on_lost)
     if not wish:
         _say_that_there_is_no_display()
     return Headless(title=title)
 
 
-def _display_exists() -> bool:
+def display_exists() -> bool:
     # SDL alone would not tell: without a display it draws into the void.
     return sys.platform in ("win32", "darwin") or any(
         os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")

@@ -14,8 +14,7 @@ def closed() -> None:
 def test_every_key(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("BGI_KEYS", "1 w 2 m 3 f 4 Up Down Left Right q Home Space Up Space 2 Esc")
     demo.main()
-    with pytest.raises(bgi.BGIError, match="initgraph"):
-        bgi.getmaxx()
+    assert not bgi.kbhit()
 
 
 def test_keys_change_the_scene(monkeypatch: pytest.MonkeyPatch) -> None:

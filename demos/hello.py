@@ -1,0 +1,24 @@
+"""The shortest program that draws something.
+
+    python -m demos hello
+
+What it shows: a program opens the screen, draws, and waits for a key. Where a number goes, a list
+of numbers goes too: one call draws all the circles, each in its colour.
+"""
+
+# ruff: noqa: F403, F405  (a star import is how graphics.h programs begin)
+from bgi import *
+
+MODE = (VGA, VGAHI)
+
+
+def draw() -> None:
+    setlinestyle(SOLID_LINE, 0, THICK_WIDTH)
+    circle(320, 240, range(80, 230, 10), range(1, 16))
+    outtextxy(272, 236, "Hello, world")
+
+
+def main() -> None:
+    initgraph(*MODE)
+    draw()
+    getch()

@@ -1,0 +1,100 @@
+"""Turn a surface: three dimensions from a library that knows two.
+
+    python -m demos surfaces
+
+What it shows: ``surfaces.surface`` draws z = f(x, y) with lines and filled polygons only.  A turn
+is one matrix, made anew for each picture from two angles.  Each picture is drawn on the page that
+is not shown, and ``swapbuffers`` then shows it whole: that is why nothing flickers.
+
+    1 2 3 4   the four functions of the paper      w m f   wire, mesh, filled
+    arrows    turn                                 space   start and stop
+    Esc       end
+"""
+
+from dataclasses import dataclass
+from math import pi
+
+from bgi import (
+    IBM8514,
+    IBM8514LO,
+    WHITE,
+    YELLOW,
+    cleardevice,
+    getch,
+    getmaxy,
+    initgraph,
+    kbhit,
+    outtextxy,
+    setcolor,
+    swapbuffers,
+)
+from surfaces import FIGURES, compose, rotation, surface
+
+MODE = (IBM8514, IBM8514LO)
+ESC, SPACE = 27, ord(" ")
+# The second half of an arrow key -> how far it turns (about z, about y), in degrees.
+ARROWS = {75: (-5, 0), 77: (5, 0), 72: (0, 5), 80: (0, -5)}
+MODES = {ord("w"): "wire", ord("m"): "mesh", ord("f"): "fill"}
+HELP = "1-4 function  w m f style  arrows turn  space spin  Esc end"
+
+
+@dataclass
+class Scene:
+    """What is on the screen, and how the keys change it."""
+
+    figure: int = 1
+    mode: str = "fill"
+    spin: float = 0.0
+    tilt: float = 0.0
+    spinning: bool = True
+    running: bool = True
+
+    def press(self, key: int) -> None:
+        """Obey one key; an arrow is a 0 and then a second code."""
+        if key == 0:
+            spin, tilt = ARROWS.get(getch(), (0, 0))
+            self.spin += spin
+            self.tilt += tilt
+        elif key in MODES:
+            self.mode = MODES[key]
+        elif ord("1") <= key < ord("1") + len(FIGURES):
+            self.figure = key - ord("1")
+        elif key == SPACE:
+            self.spinning = not self.spinning
+        elif key == ESC:
+            self.running = False
+
+    def draw(self) -> None:
+        """One picture, on the page that is not shown."""
+        figure = FIGURES[self.figure]
+        turn = compose(rotation("z", self.spin * pi / 180), rotation("y", self.tilt * pi / 180))
+        cleardevice()
+        n = 2 * figure.n if self.mode == "fill" else figure.n
+        setcolor(YELLOW)
+        surface(figure.f, figure.x, figure.y, n, self.mode, transform=turn, zfrac=figure.zfrac)
+        setcolor(WHITE)
+        outtextxy(8, 8, f"z = {figure.name}   {self.mode}")
+        outtextxy(8, getmaxy() - 15, HELP)
+
+
+def draw() -> None:
+    """One moment of the turn."""
+    Scene(spin=30).draw()
+
+
+def main() -> None:
+    """Run until Esc."""
+    initgraph(*MODE)
+    scene = Scene()
+    while scene.running:
+        scene.draw()
+        swapbuffers()
+        if scene.spinning:
+            scene.spin += 1
+        # A spinning surface only looks whether a key waits; one at rest waits for a key.
+        if kbhit() or not scene.spinning:
+            scene.press(getch())
+
+
+if __name__ == "__main__":
+    main()

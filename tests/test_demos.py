@@ -1,0 +1,213 @@
+"""Every demo is a test: it runs headless with scripted keys and ends, and its picture shows."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bgi
+from bgi import current
+from demos import NAMES, load, menu, summary
+from demos.__main__ import main as command
+
+ROOT = Path(__file__).parents[1]
+
+# What the user does in each demo, up to the key that ends it.
+KEYS = {
+    "hello": "x",
+    "tour": "Space Space Esc",
+    "bounce": "Space Space Esc",
+    "surfaces": "1 w 2 m 3 f 4 Left Up Space Right Space Esc",
+}
+
+
+@pytest.fixture(params=NAMES)
+def demo(request):
+    """Each demo in turn."""
+    return load(request.param)
+
+
+def name_of(demo):
+    return demo.__name__.removeprefix("demos.")
+
+
+class TestEveryDemo:
+    def test_is_in_the_gallery(self):
+        files = {file.stem for file in (ROOT / "demos").glob("*.py")}
+        assert files - {"__init__", "__main__", "menu"} == set(NAMES)
+
+    def test_has_a_plan_of_keys(self):
+        assert set(KEYS) == set(NAMES)
+
+    def test_says_what_it_is_and_how_to_run_it(self, demo):
+        says, runs, shows = demo.__doc__.split("\n\n")[:3]
+        assert says.endswith(".") and "\n" not in says
+        assert runs.strip() == f"python -m demos {name_of(demo)}"
+        assert shows.startswith("What it shows: ")
+
+    def test_has_a_mode_that_opens(self, demo):
+        assert bgi.initgraph(*demo.MODE) == demo.MODE
+        assert bgi.graphresult() == bgi.grOk
+
+    def test_draws_a_picture_on_the_page_that_is_shown(self, demo):
+        bgi.initgraph(*demo.MODE)
+        demo.draw()
+        assert current.screen.card.visible == 0
+        picture = np.frombuffer(current.screen.card.page(0), np.uint8)
+        assert len(np.unique(picture)) >= 5
+        assert np.count_nonzero(picture) > picture.size / 50
+
+    def test_runs_until_its_last_key_and_leaves_the_window_to_the_gallery(self, demo, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", KEYS[name_of(demo)])
+        bgi.initgraph()
+        before = current.loaded
+        demo.main()
+        assert current.loaded is before
+        assert not bgi.kbhit()
+
+    def test_has_its_picture_in_the_documentation(self, demo):
+        assert (ROOT / "docs" / "pictures" / f"{name_of(demo)}.png").is_file()
+        assert f"docs/pictures/{name_of(demo)}.png" in (ROOT / "README.md").read_text("utf-8")
+
+
+class TestMenu:
+    @pytest.mark.parametrize(
+        ("keys", "chosen"),
+        [
+            ("Enter", 0),
+            ("Down Down Enter", 2),
+            ("Up Enter", len(NAMES) - 1),
+            ("End Down Enter", 0),
+            ("Down Home Enter", 0),
+            ("2", 1),
+            ("q 9 F1 Enter", 0),
+            ("Down Esc", None),
+        ],
+    )
+    def test_keys(self, monkeypatch, keys, chosen):
+        monkeypatch.setenv("BGI_KEYS", keys)
+        assert menu.choose(0) == chosen
+
+    def test_shows_another_picture_for_every_choice(self, monkeypatch):
+        pictures = set()
+        for place in range(len(NAMES)):
+            monkeypatch.setenv("BGI_KEYS", "Esc")
+            bgi.closegraph()
+            menu.choose(place)
+            card = current.screen.card
+            pictures.add(bytes(card.page(card.visible)))
+        assert len(pictures) == len(NAMES)
+
+
+class TestCommand:
+    def test_runs_a_demo_from_the_menu_and_comes_back(self, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", "Down Enter Esc Esc")
+        assert command([]) == 0
+
+    def test_goes_on_in_the_same_window(self, monkeypatch):
+        screens = []
+        choose = menu.choose
+
+        def watched(place):
+            answer = choose(place)
+            screens.append(current.loaded)
+            return answer
+
+        monkeypatch.setattr(menu, "choose", watched)
+        monkeypatch.setenv("BGI_KEYS", "1 x 3 Esc Esc")
+        assert command([]) == 0
+        assert len(screens) == 3
+        assert len(set(screens)) == 1
+
+    @pytest.mark.parametrize("name", NAMES)
+    def test_runs_one_demo_and_closes_the_screen(self, monkeypatch, name):
+        monkeypatch.setenv("BGI_KEYS", KEYS[name])
+        assert command([name]) == 0
+        assert current.loaded is None
+
+    def test_lists_the_demos(self, capsys):
+        assert command(["--list"]) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert [line.split()[0] for line in lines] == list(NAMES)
+        assert all(summary(load(name)) in line for name, line in zip(NAMES, lines, strict=True))
+
+    def test_saves_every_picture(self, tmp_path, capsys):
+        folder = tmp_path / "new" / "folder"
+        assert command(["--save", str(folder)]) == 0
+        files = [folder / f"{name}.png" for name in NAMES]
+        assert capsys.readouterr().out.splitlines() == list(map(str, files))
+        assert all(file.read_bytes().startswith(b"\x89PNG") for file in files)
+
+    def test_saves_one_picture(self, tmp_path):
+        assert command(["tour", "--save", str(tmp_path)]) == 0
+        assert [file.name for file in tmp_path.iterdir()] == ["tour.png"]
+
+    def test_says_where_it_cannot_save(self, tmp_path, capsys):
+        (tmp_path / "file").touch()
+        assert command(["--save", str(tmp_path / "file")]) == 1
+        assert capsys.readouterr().err.startswith("demos: ")
+
+    def test_names_the_demos_when_the_name_is_unknown(self, capsys):
+        with pytest.raises(SystemExit) as exit:
+            command(["nonsense"])
+        assert exit.value.code == 2
+        message = capsys.readouterr().err.splitlines()[-1]
+        assert "nonsense" in message
+        assert all(name in message for name in NAMES)
+
+    @pytest.mark.parametrize(
+        ("error", "code"), [(bgi.WindowClosed("closed"), 0), (KeyboardInterrupt(), 130)]
+    )
+    def test_ends_quietly_when_the_user_ends_it(self, monkeypatch, capsys, error, code):
+        def interrupted():
+            raise error
+
+        monkeypatch.setattr(load("hello"), "main", interrupted)
+        assert command(["hello"]) == code
+        assert capsys.readouterr().err == ""
+
+    def test_an_error_of_the_library_is_one_line(self, capsys):
+        assert command(["hello"]) == 1  # no window, and no scripted key
+        assert re.fullmatch("demos: there is no window to type in.*\n", capsys.readouterr().err)
+
+    @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display")
+    def test_without_a_display_it_says_so_in_one_line(self):
+        hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "BGI_MONITOR"}
+        environment = {name: value for name, value in os.environ.items() if name not in hidden}
+        ran = subprocess.run(
+            [sys.executable, "-m", "demos"],
+            cwd=ROOT,
+            env=environment,
+            capture_output=True,
+            text=True,
+        )
+        assert ran.returncode == 1
+        assert ran.stdout == ""
+        assert ran.stderr.count("\n") == 1
+        assert "no display" in ran.stderr
+        assert "python -m demos --save DIR" in ran.stderr
+
+
+class TestReadme:
+    TEXT = (ROOT / "README.md").read_text("utf-8")
+
+    def programs(self):
+        return re.findall(r"```python\n(.*?)```", self.TEXT, re.DOTALL)
+
+    def test_its_programs_run(self, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", "Space " * 9)
+        assert self.programs()
+        for program in self.programs():
+            exec(program, {})
+            bgi.closegraph()
+
+    def test_ci_types_what_it_tells_a_newcomer_to_type(self):
+        command = 'pip install -e ".[test]" && python -m pytest'
+        assert command in self.TEXT
+        script = (ROOT / ".ci" / "run").read_text("utf-8").splitlines()
+        for part in command.split(" && "):
+            assert part in script
