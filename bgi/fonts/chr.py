@@ -19,7 +19,7 @@ MOST_BYTES = 1 << 16
 
 _SIGNATURE = b"PK\x08\x08"
 _HEADER_SIZE = 0x80
-_MOST_OPERATIONS = 1 << 16  # a hostile file could make every character share one endless tail
+_MOST_OPERATIONS = 1 << 15  # all that fit; hostile characters could share one endless tail
 _HEADER = struct.Struct("<H4sH4B")  # header size, name, bytes after it, font and driver version
 _BLOCK = struct.Struct("<cHxBHBbbb5x")  # '+', count, first, strokes' offset, scan, cap, base, dec
 

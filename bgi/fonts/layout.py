@@ -35,6 +35,7 @@ SIZES = {
 """What settextstyle's sizes 1..10 mean for stroked fonts."""
 
 
+_MOST_REMEMBERED = 80  # characters of a text: a long one is rarely drawn twice
 _NOTHING = np.empty((0, 4), dtype=np.int64)
 
 
@@ -56,7 +57,6 @@ def textheight(font: StrokedFont, scale: Scale) -> int:
     return _scaled(font.cap - font.dec, scale.my, scale.dy)
 
 
-@lru_cache(maxsize=512)
 def segments(
     font: StrokedFont, text: bytes, scale: Scale, vertical: bool = False
 ) -> NDArray[np.int64]:
@@ -64,6 +64,11 @@ def segments(
 
     A row whose ends are one point is a dot. Characters outside the font draw nothing.
     """
+    find = _remembered if len(text) <= _MOST_REMEMBERED else _segments
+    return find(font, text, scale, vertical)
+
+
+def _segments(font: StrokedFont, text: bytes, scale: Scale, vertical: bool) -> NDArray[np.int64]:
     glyphs = [_glyph(font, code, scale) for code in text]
     widths = [_scaled(font.width(code), scale.mx, scale.dx) for code in text]
     lines = np.concatenate([_NOTHING, *glyphs])
@@ -75,6 +80,9 @@ def segments(
         lines[:, 1::2] *= -1
     lines.flags.writeable = False
     return lines
+
+
+_remembered = lru_cache(maxsize=256)(_segments)
 
 
 @lru_cache(maxsize=1024)
