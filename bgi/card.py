@@ -26,7 +26,7 @@ Layout, little-endian, for whoever wants to write another monitor:
       4096        pixels: page after page, rows from top to bottom, no padding
     ======  ====  ======================================================================
 
-A pixel of one byte is an index into the palette. One of four bytes is a number, little-endian: below
+A pixel of one byte is an index into the palette. One of four bytes is a little-endian number: below
 16 it is an index too, and any other value is a colour in its low 24 bits, red lowest.
 
 A change of mode writes the width last and sets it to 0 first. A monitor that finds the same header

@@ -201,3 +201,8 @@ triplex_font = "TRIP"
 small_font = "LITT"
 sansserif_font = "SANS"
 gothic_font = "GOTH"
+
+# Windows by number (WinBGIm)
+CURRENT_WINDOW = -1
+ALL_WINDOWS = -2
+NO_CURRENT_WINDOW = -3

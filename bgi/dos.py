@@ -16,7 +16,7 @@ def delay(milliseconds: Number) -> None:
     wait = float(milliseconds)
     if not 0 <= wait < float("inf"):
         raise ValueError(f"milliseconds must be a finite number of 0 or more, not {milliseconds!r}")
-    if current.loaded is None:
+    if current.loaded() is None:
         time.sleep(wait / 1000)
     else:
         current.screen.monitor.sleep(wait)

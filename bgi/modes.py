@@ -18,6 +18,7 @@ from bgi.constants import (
     MCGA,
     PC3270,
     VGA,
+    VGAHI,
 )
 
 YASP = 10_000
@@ -43,6 +44,10 @@ class GraphicsMode:
     name: str
     """What getmodename() says."""
 
+    pixel_bytes: int = 1
+    """4 in a window: an index, or a colour of its own as `bgi.rgb` writes it."""
+    square: bool = False
+    """Whether its pixels are shown as squares, not stretched to fill a 4:3 screen."""
     maxcolor: int = field(init=False)
     """The largest colour index, which is also the mask of a pixel's bits."""
 
@@ -104,6 +109,14 @@ DRIVER_NAMES = {
 """The driver files, without .BGI: what getdrivername() says."""
 
 _BY_NUMBER = {(mode.driver, mode.number): mode for mode in MODES}
+
+
+def window(width: int, height: int) -> GraphicsMode:
+    """The mode of a window of any size, in 16 colours and 16 million: WinBGIm's initwindow()."""
+    name = f"{width} x {height} window"
+    return GraphicsMode(
+        VGA, VGAHI, width, height, 16, 4, 4, YASP, "WINDOW", name, pixel_bytes=4, square=True
+    )
 
 
 def find(driver: int, number: int) -> GraphicsMode | None:

@@ -6,6 +6,7 @@ that is many. All coordinates are absolute; everything is clipped to the box giv
 """
 
 from collections.abc import Iterator
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,10 @@ from bgi.raster.polygons import Rows, Spans
 from bgi.sdl import pygame
 
 Mask = NDArray[np.bool_]
-Pixels = NDArray[np.uint8]
+Pixels = NDArray[Any]
+
+_PIXEL: dict[int, np.dtype[Any]] = {1: np.dtype(np.uint8), 4: np.dtype("<u4")}
+_FORMAT: dict[int, Literal["P", "RGBX"]] = {1: "P", 4: "RGBX"}
 
 FAR = 1 << 40
 """A centre so far away shows nothing of a curve, and stays an int64 with its offsets."""
@@ -27,15 +31,19 @@ FAR = 1 << 40
 class Page:
     """Pixels (palette indices) of one screenful, and the box that drawing is clipped to."""
 
-    def __init__(self, memory: memoryview, width: int, height: int) -> None:
-        """Lay a page over `memory`, width * height bytes, rows from top to bottom."""
+    def __init__(self, memory: memoryview, width: int, height: int, pixel_bytes: int = 1) -> None:
+        """Lay a page over `memory`, rows from top to bottom.
+
+        A pixel is a palette index of one byte, or four bytes that hold an index or an RGB colour:
+        to a page both are just numbers.
+        """
         self.width = width
         self.height = height
-        self.flat = np.frombuffer(memory, dtype=np.uint8)
+        self.flat: Pixels = np.frombuffer(memory, dtype=_PIXEL[pixel_bytes])
         self.array = self.flat.reshape(height, width)
         self._pixels = self.array.data
-        self._bytes = self.flat.data
-        self._surface = pygame.image.frombuffer(self.array.data, (width, height), "P")
+        self._row = self.flat.data
+        self._surface = pygame.image.frombuffer(memory, (width, height), _FORMAT[pixel_bytes])
         self.clip_to((0, 0, width - 1, height - 1))
 
     def clip_to(self, box: Box) -> None:
@@ -50,7 +58,7 @@ class Page:
     def get(self, x: int, y: int) -> int:
         """The index at x, y, wherever the clipping box is; 0 off the page."""
         if 0 <= x < self.width and 0 <= y < self.height:
-            return self._pixels[y, x]
+            return int(self._pixels[y, x])
         return 0
 
     def put(self, x: int, y: int, value: int) -> None:
@@ -58,10 +66,10 @@ class Page:
         if self._left <= x <= self._right and self._top <= y <= self._bottom:
             self._pixels[y, x] = value
 
-    def get_many(self, x: Ints, y: Ints) -> NDArray[np.uint8]:
+    def get_many(self, x: Ints, y: Ints) -> Pixels:
         """`get` for arrays."""
         inside = _within(x, y, (0, 0, self.width - 1, self.height - 1))
-        values = np.zeros(len(x), dtype=np.uint8)
+        values = np.zeros(len(x), dtype=self.flat.dtype)
         place = y[inside] * self.width + x[inside]
         values[inside] = self.flat[place.astype(np.int64, copy=False)]
         return values
@@ -80,7 +88,7 @@ class Page:
 
     def _set(self, place: Ints, values: Ints | int, xor: bool) -> None:
         if xor:
-            np.bitwise_xor.at(self.flat, place, np.asarray(values).astype(np.uint8))
+            np.bitwise_xor.at(self.flat, place, np.asarray(values).astype(self.flat.dtype))
         else:
             self.flat[place] = values
 
@@ -149,7 +157,7 @@ class Page:
         else:
             part = slice(top, bottom + 1), slice(left, right + 1)
             mask = screen_mask(rows, self.width, self.height)
-            np.multiply(mask[part], color, out=self.array[part], casting="unsafe")
+            self.array[part] = self._inked(mask[part], color)
 
     def outline(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
         """The four sides of a box, thin and solid; corners in order."""
@@ -166,19 +174,27 @@ class Page:
         Everywhere on rows where the fill would put nothing but index 0: there no flood stops.
         """
         part = slice(self._top, self._bottom + 1), slice(self._left, self._right + 1)
+        differs: Mask
         if rows == SOLID_ROWS:
-            return np.not_equal(self.array[part], color)
+            differs = self.array[part] != color
+            return differs
         mask = screen_mask(rows, self.width, self.height)[part]
         empty = ~mask.any(axis=1, keepdims=True)
-        differs: Mask = np.logical_or(self.array[part] != mask * color, empty)
+        differs = (self.array[part] != self._inked(mask, color)) | empty
         return differs
+
+    def _inked(self, mask: Mask, color: int) -> Pixels:
+        """A colour where the mask is set, index 0 elsewhere."""
+        number = self.flat.dtype.type
+        inked: Pixels = np.where(mask, number(color), number(0))
+        return inked
 
     # Polygons
 
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
         """Rows of pixels (y within the clipping box) in a fill pattern."""
         left, right, width = self._left, self._right, self.width
-        ink = memoryview(bytes([color]) * width)
+        ink = np.full(width, color, self.flat.dtype).data
         mask = None if pattern == SOLID_ROWS else screen_mask(pattern, width, self.height)
         for y, a, b in zip(*where, strict=True):
             if a > b:
@@ -188,9 +204,9 @@ class Page:
                 continue
             if mask is None:
                 start = y * width
-                self._bytes[start + a : start + b + 1] = ink[: b + 1 - a]
+                self._row[start + a : start + b + 1] = ink[: b + 1 - a]
             else:
-                self.array[y, a : b + 1] = mask[y, a : b + 1] * color
+                self.array[y, a : b + 1] = self._inked(mask[y, a : b + 1], color)
 
     def _spread(self, y: Ints, left: Ints, right: Ints) -> tuple[Ints, Ints]:
         """The pixels of many spans, clipped: their places, and which span each belongs to."""
@@ -208,7 +224,7 @@ class Page:
         """What a fill writes at those places."""
         if rows == SOLID_ROWS:
             return colors
-        return screen_mask(rows, self.width, self.height).ravel()[place] * colors
+        return np.where(screen_mask(rows, self.width, self.height).ravel()[place], colors, 0)
 
     def paint(
         self,
@@ -276,16 +292,16 @@ class Page:
             part = self.array[top:bottom, left:right]
             np.copyto(part, color, where=mask[top - y : bottom - y, left - x : right - x])
 
-    def copy(self, x: int, y: int, width: int, height: int) -> NDArray[np.uint8]:
+    def copy(self, x: int, y: int, width: int, height: int) -> Pixels:
         """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""
-        taken = np.zeros((height, width), dtype=np.uint8)
+        taken = np.zeros((height, width), dtype=self.flat.dtype)
         left, right = max(x, 0), min(x + width, self.width)
         top, bottom = max(y, 0), min(y + height, self.height)
         if left < right and top < bottom:
             taken[top - y : bottom - y, left - x : right - x] = self.array[top:bottom, left:right]
         return taken
 
-    def combine(self, x: int, y: int, image: NDArray[np.uint8], op: int, mask: int) -> None:
+    def combine(self, x: int, y: int, image: Pixels, op: int, mask: int) -> None:
         """Put an image with its corner at x, y by a putimage operator, cut at the page's edges."""
         height, width = image.shape
         left, right = max(x, 0), min(x + width, self.width)
@@ -293,30 +309,30 @@ class Page:
         if left < right and top < bottom:
             part = self.array[top:bottom, left:right]
             shown = image[top - y : bottom - y, left - x : right - x]
-            _OPERATORS[op](part, shown & np.uint8(mask), mask)
+            _OPERATORS[op](part, shown & self.flat.dtype.type(mask), self.flat.dtype.type(mask))
 
     def clear(self) -> None:
         """The whole page becomes index 0, whatever the clipping box."""
         self.flat.fill(0)
 
 
-def _copy(part: Pixels, image: Pixels, mask: int) -> None:
+def _copy(part: Pixels, image: Pixels, mask: Any) -> None:
     part[:] = image
 
 
-def _xor(part: Pixels, image: Pixels, mask: int) -> None:
+def _xor(part: Pixels, image: Pixels, mask: Any) -> None:
     part ^= image
 
 
-def _or(part: Pixels, image: Pixels, mask: int) -> None:
+def _or(part: Pixels, image: Pixels, mask: Any) -> None:
     part |= image
 
 
-def _and(part: Pixels, image: Pixels, mask: int) -> None:
+def _and(part: Pixels, image: Pixels, mask: Any) -> None:
     part &= image
 
 
-def _not(part: Pixels, image: Pixels, mask: int) -> None:
+def _not(part: Pixels, image: Pixels, mask: Any) -> None:
     part[:] = image ^ mask  # the complement of the image; the screen does not matter
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.constants import VGA
+from bgi import rgb
 from bgi.modes import GraphicsMode
 
 RGB = tuple[int, int, int]
@@ -70,6 +71,9 @@ def _vga_256() -> list[RGB]:
     return SIXTEEN + [(six_bits(r), six_bits(g), six_bits(b)) for r, g, b in six]
 
 
+_OWN = 255
+"""The register that holds an RGB background of a window."""
+
 _DAC_350 = [ega_rgb(value) for value in range(64)]
 _WHITE = SIXTEEN[15]
 
@@ -84,6 +88,7 @@ DEFAULTS: dict[str, tuple[list[int], list[RGB]]] = {
     "CGAC3": ([0, 3, 5, 7], SIXTEEN),
     "CGAHI": ([0, 15], SIXTEEN),
     "MONO": ([0, 1], [(0, 0, 0), _WHITE]),
+    "WINDOW": (_EGA350, _DAC_350),
     "IBM8514": (list(range(256)), _vga_256()),
 }
 
@@ -121,7 +126,7 @@ class Palette:
     @property
     def is_ega(self) -> bool:
         """Whether setpalette() takes the EGA's hardware values 0..63."""
-        return self.kind.startswith("EGA")
+        return self.kind.startswith("EGA") or self.kind == "WINDOW"
 
     @property
     def size(self) -> int:
@@ -154,7 +159,9 @@ class Palette:
     def set_background(self, color: int) -> None:
         """What setbkcolor() does: index 0 takes the colour of entry `color`; nothing is redrawn."""
         self.background = color
-        if self.is_ega:
+        if rgb.is_rgb(color):
+            self._dac[_OWN], self.values[0] = rgb.split(color), _OWN
+        elif self.is_ega:
             self.values[0] = self.values[color % len(self.values)] if color else 0
         elif self.kind == "IBM8514":
             self._dac[0] = self._dac[color] if color else (0, 0, 0)

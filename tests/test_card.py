@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bgi.card import LARGEST, PALETTE, PIXELS, Card
+from bgi.card import LARGEST, PALETTE, PIXELS, Card, Frame
 from bgi.card import _anonymous_file as anonymous_file
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="descriptors are POSIX")
@@ -40,7 +40,7 @@ def test_the_header_is_as_documented(card: Card) -> None:
     card.palette[255] = 7, 8, 9
     raw = memory(card)
     assert raw[:8] == b"BGICARD\0"
-    assert struct.unpack_from("<7I", raw, 8) == (1, 640, 480, 4, 1, 2, card.changes)
+    assert struct.unpack_from("<8I", raw, 8) == (1, 640, 480, 4, 1, 2, card.changes, 0)
     assert raw[64:67] == b"\1\2\3"
     assert raw[64 + 765 : 64 + 768] == b"\7\10\11"
     assert len(raw) == 4096 + 2 * 1024 * 768
@@ -83,6 +83,24 @@ def test_a_mode_must_fit() -> None:
         with pytest.raises(ValueError, match="no mode has"):
             card.set_mode(width, height, pages)
     assert (card.width, card.height, card.pages) == (100, 5, 2)
+
+
+def test_pages_of_four_bytes_a_pixel() -> None:
+    card = Card(capacity=4 * 6 * 2)
+    with pytest.raises(ValueError, match="a pixel has 1 or 4 bytes, not 2"):
+        card.set_mode(3, 2, 1, pixel_bytes=2)
+    with pytest.raises(ValueError, match="3 pages of 3 x 2 pixels need 72 bytes"):
+        card.set_mode(3, 2, 3, pixel_bytes=4)
+    card.set_mode(3, 2, 2, pixel_bytes=4, square=True)
+    assert (card.pixel_bytes, card.square) == (4, True)
+    page = np.frombuffer(card.page(1), "<u4").reshape(2, 3)
+    page[1, 2] = 0x03AABBCC
+    card.visible = 1
+    frame = card.frame()
+    assert frame == Frame(3, 2, 4, True, bytes(20) + b"\xcc\xbb\xaa\3")
+    del page
+    card.set_mode(3, 2, 2)
+    assert (card.pixel_bytes, card.square) == (1, False)
 
 
 def test_a_monitor_never_sees_half_a_mode(card: Card, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -138,8 +156,8 @@ def test_the_other_side_sees_the_same_memory(card: Card) -> None:
     card.visible = 2
     frame = other.frame()
     assert frame is not None
-    assert frame[:2] == (640, 480)
-    assert frame[2] == bytes(7) + b"\5" + bytes(640 * 480 - 8)
+    assert frame[:4] == (640, 480, 1, False)
+    assert frame.pixels == bytes(7) + b"\5" + bytes(640 * 480 - 8)
     other.page(2)[8] = 6
     assert card.page(2)[8] == 6
 
@@ -172,32 +190,33 @@ def test_attach_refuses_a_descriptor_that_is_closed_or_too_small() -> None:
 
 
 @posix
-@given(header=st.binary(min_size=36, max_size=36))
+@given(header=st.binary(min_size=40, max_size=40))
 def test_a_monitor_survives_any_header(header: bytes) -> None:
     check_frame(header)
 
 
 @posix
-@given(numbers=st.lists(st.integers(0, 40), min_size=7, max_size=7))
+@given(numbers=st.lists(st.integers(0, 40), min_size=8, max_size=8))
 def test_a_monitor_survives_any_small_header(numbers: list[int]) -> None:
-    check_frame(b"BGICARD\0" + struct.pack("<7I", *numbers))
+    check_frame(b"BGICARD\0" + struct.pack("<8I", *numbers))
 
 
 def check_frame(header: bytes) -> None:
     card = Card(capacity=5000)
     memory(card)[: len(header)] = header
-    width, height, pages, _, visible = struct.unpack_from("<5I", header, 12)
+    width, height, pages, pixel_bytes, visible = struct.unpack_from("<5I", header, 12)
     frame = card.frame()
     if frame is None:
         assert not (
             0 < width <= LARGEST
             and 0 < height <= LARGEST
             and visible < pages
-            and width * height * pages <= 5000
+            and pixel_bytes in (1, 4)
+            and width * height * pages * pixel_bytes <= 5000
         )
     else:
-        assert frame[:2] == (width, height)
-        assert len(frame[2]) == width * height
+        assert frame[:3] == (width, height, pixel_bytes)
+        assert len(frame.pixels) == width * height * pixel_bytes
     card.close()
 
 

@@ -12,6 +12,7 @@ ROOT = Path(__file__).parent.parent
 LAYERS = [
     "bgi.constants",
     "bgi.errors",
+    "bgi.rgb",
     "bgi.modes",
     "bgi.palette",
     "bgi.raster.lines",

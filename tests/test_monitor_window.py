@@ -17,7 +17,6 @@ from bgi.card import Card
 from bgi.errors import BGIError
 from bgi.monitor import Monitor, Window, choose
 from bgi.monitor.protocol import decode, encode, receive
-from bgi.monitor.window import fit, largest
 from tests.processes import LOSSES, gone, shared_memory, wait_until
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="uses POSIX signals")
@@ -49,57 +48,6 @@ def window(card: Card, errors: list[BGIError]) -> Iterator[Window]:
     yield window
     window.close()
     assert gone(window._process.pid)
-
-
-# Geometry
-
-
-@pytest.mark.parametrize(
-    ("mode", "one", "two"),
-    [
-        ((640, 480), (640, 480), (1280, 960)),
-        ((640, 400), (640, 480), (1280, 960)),
-        ((640, 350), (640, 480), (1280, 960)),
-        ((640, 200), (640, 480), (1280, 960)),
-        ((320, 200), (640, 480), (1280, 960)),
-        ((720, 348), (720, 540), (720, 540)),
-        ((720, 350), (720, 540), (720, 540)),
-        ((800, 600), (800, 600), (800, 600)),
-        ((1024, 768), (1024, 768), (1024, 768)),
-    ],
-)
-def test_every_mode_fills_a_4_3_window(
-    mode: tuple[int, int], one: tuple[int, int], two: tuple[int, int]
-) -> None:
-    assert fit(*mode, 640, 480) == one
-    assert fit(*mode, 1280, 960) == two
-
-
-def test_no_pixel_is_lost() -> None:
-    for width in (1, 7, 100, 720, 1001):
-        for height in (1, 3, 480, 1000):
-            out_width, out_height = fit(width, height, 640, 480)
-            assert out_width % width == 0
-            assert out_height >= height
-            assert out_height == out_width * 3 // 4
-
-
-@pytest.mark.parametrize(
-    ("desktop", "size"),
-    [
-        ((800, 600), (640, 480)),
-        ((1024, 768), (640, 480)),
-        ((1920, 1080), (640, 480)),
-        ((1600, 1200), (1280, 960)),
-        ((2560, 1440), (1280, 960)),
-        ((3840, 2160), (1280, 960)),
-        ((0, 0), (640, 480)),
-    ],
-)
-def test_the_window_is_a_whole_multiple_of_640x480(
-    desktop: tuple[int, int], size: tuple[int, int]
-) -> None:
-    assert largest(*desktop) == size
 
 
 # The protocol

@@ -58,6 +58,26 @@ def putimage(
     current.screen.putimage(left, top, image, op)
 
 
+def readimagefile(
+    filename: str | os.PathLike[str],
+    left: Number = 0,
+    top: Number = 0,
+    right: Number | None = None,
+    bottom: Number | None = None,
+) -> None:
+    """Put a picture from a file on the active page.
+
+    Args:
+        filename: a PNG, BMP, JPEG, GIF or any other that pygame reads.
+        left, top: where its upper left corner goes, relative to the viewport.
+        right, bottom: its lower right corner; None keeps the picture's own width or height.
+
+    In a window in its own colours, elsewhere in the nearest of the palette. Cut at the edges of the
+    screen. OSError if it cannot be read, ValueError if it is no picture. Source: WinBGIm.
+    """
+    current.screen.readimagefile(filename, left, top, right, bottom)
+
+
 def writeimagefile(
     filename: str | os.PathLike[str],
     left: Number = 0,

@@ -116,6 +116,16 @@ def setvisualpage(page: Number) -> None:
     current.screen.setvisualpage(page)
 
 
+def getactivepage() -> int:
+    """Return the page that drawing goes to, 0 at first. Source: WinBGIm."""
+    return current.screen.getactivepage()
+
+
+def getvisualpage() -> int:
+    """Return the page that is shown, 0 at first. Source: WinBGIm."""
+    return current.screen.getvisualpage()
+
+
 def swapbuffers() -> None:
     """Show the page just drawn and draw on the other one: smooth animation in one call.
 

@@ -44,9 +44,10 @@ def setusercharsize(multx: Number, divx: Number, multy: Number, divy: Number) ->
 
     Args:
         multx, divx: width, times multx / divx of size 4.
-        multy, divy: height likewise; divisors other than 0.
+        multy, divy: height likewise.
 
-    graphresult() says -11, and nothing changes, for a divisor of 0. Source: graphics.h.
+    graphresult() says -11, and nothing changes, for a divisor of 0 or a number beyond 16 bits.
+    Source: graphics.h.
     """
     current.screen.setusercharsize(multx, divx, multy, divy)
 

@@ -1,12 +1,15 @@
 """Pieces of the screen, in memory and on disk."""
 
 import os
+from typing import Any
+
+from numpy.typing import NDArray
 
 from bgi.arguments import Number, whole
 from bgi.constants import COPY_PUT, NOT_PUT, grError
 from bgi.errors import result
 from bgi.graphics.screen import Screen
-from bgi.imagefile import save_png
+from bgi.imagefile import load, nearest, save_png, tagged
 from bgi.images import LARGEST, Image, byte_size
 
 Buffer = bytes | bytearray | memoryview
@@ -54,6 +57,27 @@ class Images(Screen):
         else:
             result.set(grError)
 
+    def readimagefile(
+        self,
+        filename: str | os.PathLike[str],
+        left: Number = 0,
+        top: Number = 0,
+        right: Number | None = None,
+        bottom: Number | None = None,
+    ) -> None:
+        """Put a picture file on the active page, in the nearest colours."""
+        x, width = _extent(whole("left", left), None if right is None else whole("right", right))
+        y, height = _extent(whole("top", top), None if bottom is None else whole("bottom", bottom))
+        if (width or 1) * (height or 1) > LARGEST:
+            raise ValueError(f"a picture of {width}x{height} pixels is too large")
+        picture = load(filename, width, height)
+        pixels: NDArray[Any] = (
+            tagged(picture)
+            if self.mode.pixel_bytes == 4
+            else nearest(picture, self.card.palette[: self.mode.colors])
+        )
+        self.page.combine(x + self._dx, y + self._dy, pixels, COPY_PUT, self._mask)
+
     def writeimagefile(
         self,
         filename: str | os.PathLike[str],
@@ -70,6 +94,11 @@ class Images(Screen):
         if not part.size:
             raise ValueError(f"nothing of {left}, {top}, {right}, {bottom} is on the screen")
         save_png(filename, part, self.card.palette)
+
+
+def _extent(start: int, end: int | None) -> tuple[int, int | None]:
+    """Where a side begins and how long it is, its ends in any order; None for no end."""
+    return (start, None) if end is None else (min(start, end), abs(end - start) + 1)
 
 
 def _store(data: bytes, buffer: bytearray | memoryview) -> None:

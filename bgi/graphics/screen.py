@@ -7,6 +7,7 @@ method here is one call of graphics.h; `bgi.api` says what each means.
 from collections.abc import Sequence
 from dataclasses import replace
 
+from bgi import rgb
 from bgi.arguments import Number, whole
 from bgi.card import Card
 from bgi.constants import (
@@ -52,9 +53,12 @@ class Screen:
     def enter(self, mode: GraphicsMode) -> None:
         """Set a mode: clears the pages, everything back to its default."""
         self.mode = mode
-        self._mask = mode.maxcolor
-        self.card.set_mode(mode.width, mode.height, mode.pages)
-        self.pages = [Page(self.card.page(n), mode.width, mode.height) for n in range(mode.pages)]
+        self._mask = mode.maxcolor if mode.pixel_bytes == 1 else rgb.MASK
+        size = mode.width, mode.height
+        self.card.set_mode(*size, mode.pages, mode.pixel_bytes, mode.square)
+        self.pages = [
+            Page(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)
+        ]
         self.palette = Palette(mode, self.card.palette)
         self.aspect = mode.xasp, YASP
         self._arc_coords = arccoordstype(0, 0, 0, 0, 0, 0)
@@ -156,6 +160,14 @@ class Screen:
         if 0 <= number < len(self.pages):
             self.card.visible = number
 
+    def getactivepage(self) -> int:
+        """The page drawn on."""
+        return self._active
+
+    def getvisualpage(self) -> int:
+        """The page shown."""
+        return self.card.visible
+
     def swapbuffers(self) -> None:
         """Show the active page and draw on the other; returns when it has been shown."""
         self.card.visible = self._active
@@ -166,7 +178,7 @@ class Screen:
 
     def setcolor(self, color: Number) -> None:
         """Set the drawing colour, masked to the mode's depth."""
-        self.settings.color = whole("color", color) & self.mode.maxcolor
+        self.settings.color = whole("color", color) & self._mask
 
     def getcolor(self) -> int:
         """The drawing colour."""
@@ -174,7 +186,7 @@ class Screen:
 
     def setbkcolor(self, color: Number) -> None:
         """Give index 0 the colour of entry `color`, at once, everywhere."""
-        self.palette.set_background(whole("color", color) & max(15, self.mode.maxcolor))
+        self.palette.set_background(whole("color", color) & max(15, self._mask))
 
     def getbkcolor(self) -> int:
         """The number last given to setbkcolor."""
@@ -249,7 +261,7 @@ class Screen:
         USER_FILL selects the pattern last given to setfillpattern().
         """
         number, index = whole("pattern", pattern), whole("color", color)
-        if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self.mode.maxcolor):
+        if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self._mask):
             result.set(grError)
             return
         self.settings.fill = fillsettingstype(number, index)

@@ -30,6 +30,9 @@ from bgi.settings import textsettingstype
 LARGEST = 10
 """The largest character size; what is larger is drawn in this size."""
 
+LARGEST_FACTOR = 32767
+"""The factors of setusercharsize() are 16-bit numbers."""
+
 
 class Text(Lines):
     """A screen to write on."""
@@ -65,11 +68,11 @@ class Text(Lines):
             result.set(grError)
 
     def setusercharsize(self, multx: Number, divx: Number, multy: Number, divy: Number) -> None:
-        """Stretch stroked fonts freely, at once; -11 for a divisor of 0."""
+        """Stretch stroked fonts freely, at once; -11 for a divisor of 0, or beyond 16 bits."""
         scale = Scale(
             whole("multx", multx), whole("divx", divx), whole("multy", multy), whole("divy", divy)
         )
-        if scale.dx == 0 or scale.dy == 0:
+        if scale.dx == 0 or scale.dy == 0 or max(map(abs, scale)) > LARGEST_FACTOR:
             result.set(grError)
             return
         self.settings.user_scale = scale

@@ -1,48 +1,92 @@
-"""From heights to palette entries."""
+"""From values to palette entries."""
 
 import numpy as np
 import pytest
 
-from surfaces.colours import RAMPS, ramp_rgb, shades
+import bgi
+from surfaces import RAMPS, Pen, Ramp
+from surfaces.colours import UNDER, UPPER, palette
+
+ALL = [2, 4, 16, 256]
+NOWHERE = np.zeros(1, dtype=np.int64)
 
 
 def test_the_ramp_goes_through_its_five_colours() -> None:
-    blue, cyan, green, yellow, red = ramp_rgb(5).tolist()
+    blue, cyan, green, yellow, red = RAMPS["rainbow"].mix(5).tolist()
     assert (blue, cyan, green) == ([0, 0, 255], [0, 255, 255], [0, 255, 0])
     assert (yellow, red) == ([255, 255, 0], [255, 0, 0])
 
 
-def test_the_ramp_is_smooth() -> None:
-    rgb = ramp_rgb(240)
-    assert rgb.shape == (240, 3)
-    assert len(np.unique(rgb, axis=0)) == 240
-    assert np.abs(np.diff(rgb, axis=0)).max() <= 5
+@pytest.mark.parametrize("name", RAMPS)
+def test_ramps_are_smooth(name: str) -> None:
+    rgb = RAMPS[name].mix(160)
+    assert rgb.shape == (160, 3)
+    assert rgb.min() >= 0
+    assert rgb.max() <= 255
+    assert np.abs(np.diff(rgb, axis=0)).max() <= 8
 
 
-@pytest.mark.parametrize("colours", [2, 4, 16, 256])
+@pytest.mark.parametrize("colours", ALL)
 @pytest.mark.parametrize("dither", [False, True])
-def test_lowest_and_highest(colours: int, dither: bool) -> None:
-    field = np.zeros((4, 4))
-    assert set(shades(field, colours, dither).ravel()) == {RAMPS[colours][0]}
-    assert set(shades(field + 1, colours, dither).ravel()) == {RAMPS[colours][-1]}
+@pytest.mark.parametrize("under", [False, True])
+def test_least_and_greatest(colours: int, dither: bool, under: bool) -> None:
+    inks = palette(colours, "rainbow", "dusk", dither)
+    j, i = np.indices((4, 4))
+    ends = inks.entries(under)
+    assert set(inks.shade(np.zeros((4, 4)), i, j, under).ravel()) == {ends[0]}
+    assert set(inks.shade(np.ones((4, 4)), i, j, under).ravel()) == {ends[-1]}
 
 
-@pytest.mark.parametrize("colours", [2, 4, 16, 256])
+@pytest.mark.parametrize("colours", ALL)
 def test_every_colour_gets_an_equal_share(colours: int) -> None:
-    ramp = RAMPS[colours]
-    field = ((np.arange(len(ramp)) + 0.5) / len(ramp))[:, np.newaxis]
-    assert shades(field, colours).ravel().tolist() == ramp.tolist()
+    inks = palette(colours, "rainbow", "dusk", False)
+    entries = inks.entries()
+    value = (np.arange(len(entries)) + 0.5) / len(entries)
+    assert inks.shade(value, NOWHERE, NOWHERE).tolist() == entries.tolist()
 
 
-def test_between_two_bands_the_cells_alternate() -> None:
-    """Half way between BLUE and LIGHTBLUE."""
-    assert shades(np.full((2, 3), 0.5 / 7), 16, dither=True).tolist() == [[1, 9, 1], [9, 1, 9]]
+def test_sixteen_colours_have_the_bands_of_the_rainbow() -> None:
+    bands = palette(16, "rainbow", "dusk", False).entries().tolist()
+    assert bands == [1, 9, 3, 11, 10, 14, 12, 4]
 
 
-def test_a_missing_height_is_harmless() -> None:
-    assert shades(np.array(((np.nan, 1.0),)), 16).tolist() == [[1, 4]]
+def test_dithering_mixes_two_bands_in_proportion() -> None:
+    """A third of the way from BLUE to LIGHTBLUE: 5 of 16 pixels are the lighter."""
+    j, i = np.indices((4, 4))
+    value = np.full((4, 4), 1 / 3 / 7)
+    shades = palette(16, "rainbow", "dusk", True).shade(value, i, j)
+    assert sorted(shades.ravel().tolist()) == [1] * 11 + [9] * 5
+    half = palette(2, "rainbow", "dusk", True).shade(np.full((4, 4), 0.5), i, j)
+    assert half.tolist() == [[0, 1, 0, 1], [1, 0, 1, 0]] * 2 or half.mean() == 0.5
+
+
+def test_a_missing_value_is_harmless() -> None:
+    value = np.array((np.nan, 1.0, -5.0, 7.0))
+    place = np.arange(4)
+    shades = palette(16, "rainbow", "dusk", False).shade(value, place, place)
+    assert shades.tolist() == [1, 4, 1, 4]
+
+
+def test_two_sides_at_once() -> None:
+    under = np.array((False, True))
+    inks = palette(256, "rainbow", "dusk", False)
+    shades = inks.shade(np.zeros(2), np.arange(2), np.arange(2), under)
+    assert shades.tolist() == [UPPER[0], UNDER[0]]
 
 
 def test_the_everyday_colours_stay() -> None:
-    assert RAMPS[256].min() == 16
-    assert RAMPS[256].max() == 255
+    assert sorted({*UPPER.tolist(), *UNDER.tolist()}) == list(range(16, 256))
+
+
+def test_a_ramp_of_ones_own_is_loaded() -> None:
+    bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
+    mine = Ramp(((0, 0, 0), (252, 0, 84)), (0, 4))
+    palette(256, mine, "grey", False).load(Pen())
+    assert bgi.current.screen.card.palette[UPPER[-1]].tolist() == [255, 0, 85]
+
+
+@pytest.mark.parametrize("what", ["ramp", "under"])
+def test_an_unknown_ramp(what: str) -> None:
+    names = {"ramp": "rainbow", "under": "dusk", what: "pink"}
+    with pytest.raises(ValueError, match=f"{what} must be one of rainbow, heat, .*, not 'pink'"):
+        palette(256, dither=False, **names)

@@ -1,0 +1,161 @@
+"""Windows of any size and colours of any mixture: the names that WinBGIm added to graphics.h."""
+
+from bgi import current, rgb
+from bgi.arguments import Number, whole
+from bgi.card import LARGEST
+from bgi.constants import ALL_WINDOWS, grOk
+from bgi.errors import result
+from bgi.modes import window
+from bgi.palette import SIXTEEN
+
+
+def initwindow(
+    width: Number,
+    height: Number,
+    title: str = "Windows BGI",
+    left: Number = 0,
+    top: Number = 0,
+    dbflag: bool = False,
+    closeflag: bool = True,
+) -> int:
+    """Open a window of any size, in 16 colours and 16 million, and draw in it from now on.
+
+    Args:
+        width, height: its size in pixels, 1..4096.
+        title: what its title bar says.
+        left, top: where WinBGIm puts it; here the desktop chooses.
+        dbflag: True to draw on page 1 while page 0 is shown, for swapbuffers().
+        closeflag: True in WinBGIm ends the program when the window is closed; here the next call
+            raises WindowClosed either way.
+
+    Returns its number, 0 at first, for setcurrentwindow(). Pixels are square, there are four pages.
+    Wherever a colour goes, COLOR(r, g, b) goes too. ValueError for another size, BGIError if the
+    window cannot be opened. Source: WinBGIm.
+    """
+    size = whole("width", width), whole("height", height)
+    whole("left", left)
+    whole("top", top)
+    if not isinstance(title, str):
+        raise TypeError(f"title must be a str, not {type(title).__name__}: {title!r:.60}")
+    if not all(0 < side <= LARGEST for side in size):
+        raise ValueError(f"a window may be 1..{LARGEST} pixels wide and high, not {size}")
+    number = current.open_window(window(*size), title)
+    if dbflag:
+        current.screen.setactivepage(1)
+    result.set(grOk)
+    return number
+
+
+def closewindow(wid: Number = ALL_WINDOWS) -> None:
+    """Close a window, CURRENT_WINDOW, or ALL_WINDOWS.
+
+    Args:
+        wid: its number; an unknown one is ignored. closegraph() closes all. Source: WinBGIm.
+    """
+    current.close_screen(whole("wid", wid))
+
+
+def getcurrentwindow() -> int:
+    """Return the number of the window that is drawn in, or NO_CURRENT_WINDOW. Source: WinBGIm."""
+    return current.number
+
+
+def setcurrentwindow(wid: Number) -> None:
+    """Draw in another window from now on.
+
+    Args:
+        wid: its number, from initwindow(); an unknown one is ignored. Source: WinBGIm.
+    """
+    current.select(whole("wid", wid))
+
+
+def getmaxwidth() -> int:
+    """Return the width of the largest window that can be opened. Source: WinBGIm."""
+    return LARGEST
+
+
+def getmaxheight() -> int:
+    """Return the height of the largest window that can be opened. Source: WinBGIm."""
+    return LARGEST
+
+
+def getwindowwidth() -> int:
+    """Return the width of the picture in pixels, getmaxx() + 1. Source: WinBGIm."""
+    return current.screen.getmaxx() + 1
+
+
+def getwindowheight() -> int:
+    """Return the height of the picture in pixels, getmaxy() + 1. Source: WinBGIm."""
+    return current.screen.getmaxy() + 1
+
+
+def COLOR(red: Number, green: Number, blue: Number) -> int:
+    """Return the number of a colour of your own, for any call that takes a colour in a window.
+
+    Args:
+        red, green, blue: 0..255.
+
+    One of the 16 colours is returned as its index. On other screens only its low bits count.
+    Source: WinBGIm.
+    """
+    mixed = tuple(
+        whole(name, part) & 255
+        for name, part in (("red", red), ("green", green), ("blue", blue))
+    )
+    return SIXTEEN.index(mixed) if mixed in SIXTEEN else rgb.join(*mixed)
+
+
+def IS_BGI_COLOR(color: Number) -> bool:
+    """Tell whether a colour is one of the 16.
+
+    Args:
+        color: a colour, as getpixel() or COLOR() return it. Source: WinBGIm.
+    """
+    return 0 <= whole("color", color) < 16
+
+
+def IS_RGB_COLOR(color: Number) -> bool:
+    """Tell whether a colour is one of your own, from COLOR().
+
+    Args:
+        color: a colour, as getpixel() or COLOR() return it. Source: WinBGIm.
+    """
+    return rgb.is_rgb(whole("color", color))
+
+
+def converttorgb(color: Number) -> int:
+    """Return a colour as blue << 16 | green << 8 | red.
+
+    Args:
+        color: an index 0..15, as it looks at first, or a colour from COLOR(). Source: WinBGIm.
+    """
+    number = whole("color", color)
+    mixed = rgb.split(number) if rgb.is_rgb(number) else SIXTEEN[number & 15]
+    return rgb.join(*mixed) & 0xFFFFFF
+
+
+def RED_VALUE(color: Number) -> int:
+    """Return the red part of a colour, 0..255.
+
+    Args:
+        color: as for converttorgb(). Source: WinBGIm.
+    """
+    return converttorgb(color) & 255
+
+
+def GREEN_VALUE(color: Number) -> int:
+    """Return the green part of a colour, 0..255.
+
+    Args:
+        color: as for converttorgb(). Source: WinBGIm.
+    """
+    return converttorgb(color) >> 8 & 255
+
+
+def BLUE_VALUE(color: Number) -> int:
+    """Return the blue part of a colour, 0..255.
+
+    Args:
+        color: as for converttorgb(). Source: WinBGIm.
+    """
+    return converttorgb(color) >> 16
