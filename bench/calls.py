@@ -20,10 +20,12 @@ ROUNDS = 25
 
 
 class Row(NamedTuple):
-    """One measured call: what it is, the budget in units (None: no budget), how to prepare it."""
+    """One measured call: its budget in units, what the same takes with SDL_bgi from Python when
+    nothing is shown (None: not known), and how to prepare it."""
 
     name: str
     budget: float | None
+    sdl_bgi: float | None
     function: Callable[..., object]
     arguments: Sequence[tuple[Any, ...]]
     before: Callable[[], object] = lambda: None
@@ -35,7 +37,7 @@ def empty(a: object, b: object, c: object) -> None:
 
 def seconds_per_call(function: Callable[..., object], many: Sequence[tuple[Any, ...]]) -> float:
     """The quickest of several rounds, per call."""
-    names = ", ".join("abcd"[: len(many[0])])
+    names = ", ".join("abcdefgh"[: len(many[0])])
     head = f"for {names}, in many" if names else "for _ in many"
     loop = compile(f"{head}: function({names})", "a script", "exec")
     script = {"function": function, "many": many}
@@ -70,39 +72,73 @@ def rows() -> list[Row]:
         (((x, y), (x + 50, y + 10), (x + 20, y + 50)),) for x, y, *_ in (box[:2] for box in boxes)
     ]
     texts = [(x % 470, y % 470, "Twenty characters...") for x, y in points]
-    once = [()] * 20
+    corners = [(x % 530, y % 370) for x, y in points]
+    once: list[tuple[()]] = [()] * 20
+    image = bgi.Image(np.ones((100, 100), np.uint8))
 
-    def plain() -> None:
-        bgi.graphdefaults()
+    def box_to_fill() -> None:
+        bgi.rectangle(99, 99, 300, 300)
+
+    def fill_again() -> None:
+        fill_again.color = 3 - fill_again.color  # type: ignore[attr-defined]
+        bgi.setfillstyle(1, fill_again.color)  # type: ignore[attr-defined]
+        bgi.floodfill(200, 200, 15)
+
+    fill_again.color = 1  # type: ignore[attr-defined]
+
+    def frame() -> None:
+        bgi.cleardevice()
+        for x1, y1, x2, y2 in ends[:100]:
+            bgi.line(x1, y1, x2, y2)
+        bgi.swapbuffers()
 
     return [
-        Row("putpixel", 4, bgi.putpixel, [(*p, 5) for p in points]),
-        Row("getpixel", 4, bgi.getpixel, points),
-        Row("line, 10 pixels", 11, bgi.line, short),
-        Row("line, random ends", 28, bgi.line, ends),
-        Row("line, random, dashed", None, bgi.line, ends, lambda: bgi.setlinestyle(3, 0, 1)),
-        Row("line, random, thick", None, bgi.line, ends, lambda: bgi.setlinestyle(0, 0, 3)),
-        Row("line, random, XOR", None, bgi.line, ends, lambda: bgi.setwritemode(1)),
-        Row("rectangle 100x100", None, bgi.rectangle, big_boxes, plain),
-        Row("bar 50x50, solid", 20, bgi.bar, boxes),
-        Row("bar 50x50, hatched", None, bgi.bar, boxes, lambda: bgi.setfillstyle(7, 4)),
-        Row("circle r=50", 40, bgi.circle, centres, plain),
-        Row("fillpoly, triangle of 50 px", None, bgi.fillpoly, triangles, plain),
-        Row("outtextxy, 20 characters", 100, bgi.outtextxy, texts),
-        Row("cleardevice", 200, bgi.cleardevice, once),
+        Row("putpixel", 4, 7.8, bgi.putpixel, [(*p, 5) for p in points]),
+        Row("getpixel", 4, 6.1, bgi.getpixel, points),
+        Row("line, 10 pixels", 11, 11.5, bgi.line, short),
+        Row("line, random ends", 28, 30, bgi.line, ends),
+        Row("line, random, dashed", None, 25, bgi.line, ends, lambda: bgi.setlinestyle(3, 0, 1)),
+        Row("line, random, thick", None, 74, bgi.line, ends, lambda: bgi.setlinestyle(0, 0, 3)),
+        Row("line, random, XOR", None, 30, bgi.line, ends, lambda: bgi.setwritemode(1)),
+        Row("rectangle 100x100", None, 33, bgi.rectangle, big_boxes),
+        Row("circle r=50", 40, 26, bgi.circle, centres),
+        Row(
+            "ellipse 60x35", None, 47, bgi.ellipse, [(x, y, 0, 360, 60, 35) for x, y, _ in centres]
+        ),
+        Row(
+            "arc r=50, 180 degrees", None, 110, bgi.arc, [(x, y, 0, 180, 50) for x, y, _ in centres]
+        ),
+        Row("bar 50x50, solid", 20, 155, bgi.bar, boxes),
+        Row("bar 50x50, hatched", None, 402, bgi.bar, boxes, lambda: bgi.setfillstyle(7, 4)),
+        Row("fillpoly, triangle of 50 px", None, 137, bgi.fillpoly, triangles),
+        Row(
+            "fillellipse 40x25", None, 665, bgi.fillellipse, [(x, y, 40, 25) for x, y, _ in centres]
+        ),
+        Row("floodfill 200x200", 5000, 15200, fill_again, once, box_to_fill),
+        Row("outtextxy, 20 characters", 100, 114, bgi.outtextxy, texts),
+        Row("cleardevice", 200, 6000, bgi.cleardevice, once),
+        Row("getimage 100x100", None, 168, bgi.getimage, big_boxes),
+        Row("putimage 100x100", 100, 484, bgi.putimage, [(*c, image, 0) for c in corners]),
+        Row("putimage 100x100, XOR", None, 528, bgi.putimage, [(*c, image, 1) for c in corners]),
+        Row("frame: clear, 100 lines, show", None, 17400, frame, once),
     ]
 
 
 def report() -> None:
     """Print the table."""
     bgi.initgraph(bgi.VGA, bgi.VGAHI)
-    print(f"{'call (640x480, 16 colours)':34}{'units':>8}{'budget':>8}{'microseconds':>15}")
+    print(f"{'call (640x480, 16 colours)':34}{'units':>8}{'budget':>8}{'SDL_bgi':>9}{'us':>10}")
     for row in rows():
         bgi.graphdefaults()
+        bgi.cleardevice()
         row.before()
         seconds = seconds_per_call(row.function, row.arguments)
-        budget = "" if row.budget is None else f"{row.budget:g}"
-        print(f"{row.name:34}{seconds / unit():8.1f}{budget:>8}{seconds * 1e6:15.2f}")
+        budget, peer = (
+            "" if number is None else f"{number:g}" for number in (row.budget, row.sdl_bgi)
+        )
+        units = seconds / unit()
+        print(f"{row.name:34}{units:8.1f}{budget:>8}{peer:>9}{seconds * 1e6:10.2f}")
+    bgi.graphdefaults()
     report_arrays()
     bgi.closegraph()
 

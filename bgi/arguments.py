@@ -8,6 +8,7 @@ order.
 
 import operator
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -96,6 +97,10 @@ def polygon_points(points: object, flat: object) -> list[tuple[int, int]] | NDAr
         if not 0 <= 2 * count <= len(numbers):
             raise ValueError(f"{count} points need {2 * count} numbers, not {len(numbers)}")
         return list(zip(numbers[0 : 2 * count : 2], numbers[1 : 2 * count : 2], strict=True))
+    if type(points) is list or type(points) is tuple:
+        with suppress(TypeError, ValueError):  # anything but pairs of ints goes the longer way
+            if all(type(x) is int and type(y) is int for x, y in points):
+                return [(x, y) for x, y in points]
     array = whole_array("points", points)
     if array.ndim == 1 and len(array) % 2 == 0:
         array = array.reshape(-1, 2)

@@ -6,15 +6,17 @@ that is many. All coordinates are absolute; everything is clipped to the box giv
 """
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.raster import curves, lines
-from bgi.raster.curves import Offset
+from bgi.raster import lines
+from bgi.raster.curves import Offset, Outline
+from bgi.raster.floodfill import flood
 from bgi.raster.lines import Box, Ints, Segments
-from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, screen_mask
+from bgi.raster.patterns import EMPTY_ROWS, SOLID_MASK, SOLID_ROWS, screen_mask
 from bgi.raster.polygons import Rows, Spans
 from bgi.sdl import pygame
 
@@ -44,6 +46,7 @@ class Page:
         self._pixels = self.array.data
         self._row = self.flat.data
         self._surface = pygame.image.frombuffer(memory, (width, height), _FORMAT[pixel_bytes])
+        self._marks = bytearray(width * height), bytearray(width * height)
         self.clip_to((0, 0, width - 1, height - 1))
 
     def clip_to(self, box: Box) -> None:
@@ -113,14 +116,13 @@ class Page:
         pygame.draw.line(self._surface, color, (x1, y1), (x2, y2))
 
     def styled_line(self, segment: lines.Segment, color: int, pattern: Mask, xor: bool) -> None:
-        """A thin line with a pattern of sixteen bits, from its first clipped pixel on."""
+        """A thin line in a pattern, from its first clipped pixel on."""
         visible = lines.clip(*segment, self.box)
         if visible is None:
             return
-        x, y = lines.trace(*visible)
-        place = y * self.width + x
-        if not pattern.all():
-            place = place[np.resize(pattern, len(place))]
+        place = lines.places(visible, self.width)
+        if pattern is not SOLID_MASK:
+            place = place[pattern[: len(place)]]
         if xor:  # no pixel comes twice in one line
             self.flat[place] ^= color
         else:
@@ -138,8 +140,8 @@ class Page:
             x1, y1, x2, y2 = (end[part].astype(np.int64, copy=False) for end in visible)
             x, y, step, line = lines.trace_many((x1, y1, x2, y2))
             place = y * self.width + x
-            if not pattern.all():
-                drawn = pattern[step & 15]
+            if pattern is not SOLID_MASK:
+                drawn = pattern[step]
                 place, line = place[drawn], line[drawn]
             yield place, kept[part][line]
 
@@ -168,20 +170,30 @@ class Page:
             box = (left, top, right - left + 1, bottom - top + 1)
             pygame.draw.rect(self._surface, color, box, 1)
 
-    def differs_from(self, color: int, rows: bytes = SOLID_ROWS) -> Mask:
-        """Where the clipping box does not show what a fill would put there.
+    def differing(self, color: int, rows: bytes, area: bytearray) -> None:
+        """Mark in `area`, a byte a pixel, where the clipping box shows not what a fill would put.
 
-        Everywhere on rows where the fill would put nothing but index 0: there no flood stops.
+        Also on whole rows where it would put nothing but index 0: there no flood stops.
         """
         part = slice(self._top, self._bottom + 1), slice(self._left, self._right + 1)
-        differs: Mask
+        marks = np.frombuffer(area, np.bool_).reshape(self.height, self.width)
+        marks.fill(False)
         if rows == SOLID_ROWS:
-            differs = self.array[part] != color
-            return differs
-        mask = screen_mask(rows, self.width, self.height)[part]
-        empty = ~mask.any(axis=1, keepdims=True)
-        differs = (self.array[part] != self._inked(mask, color)) | empty
-        return differs
+            np.not_equal(self.array[part], self.flat.dtype.type(color), out=marks[part])
+        else:
+            mask = screen_mask(rows, self.width, self.height)[part]
+            np.not_equal(self.array[part], self._inked(mask, color), out=marks[part])
+            marks[part] |= ~mask.any(axis=1, keepdims=True)
+
+    def flood(self, x: int, y: int, border: int, color: int, rows: bytes) -> None:
+        """Fill the area around x, y up to a border colour."""
+        if not (self._left <= x <= self._right and self._top <= y <= self._bottom):
+            return
+        inside, unfilled = self._marks
+        self.differing(border, SOLID_ROWS, inside)
+        if inside[y * self.width + x]:
+            self.differing(color, rows, unfilled)
+            self.fill_rows(flood(inside, unfilled, self.width, x, y), color, rows)
 
     def _inked(self, mask: Mask, color: int) -> Pixels:
         """A colour where the mask is set, index 0 elsewhere."""
@@ -193,18 +205,21 @@ class Page:
 
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
         """Rows of pixels (y within the clipping box) in a fill pattern."""
-        left, right, width = self._left, self._right, self.width
-        ink = np.full(width, color, self.flat.dtype).data
+        left, right, width, pixels = self._left, self._right, self.width, self._row
+        ink = _line_of(color, width, self.flat.dtype)
         mask = None if pattern == SOLID_ROWS else screen_mask(pattern, width, self.height)
         for y, a, b in zip(*where, strict=True):
             if a > b:
                 a, b = b, a
-            a, b = a if a > left else left, b if b < right else right
+            if a < left:
+                a = left
+            if b > right:
+                b = right
             if a > b:
                 continue
             if mask is None:
                 start = y * width
-                self._row[start + a : start + b + 1] = ink[: b + 1 - a]
+                pixels[start + a : start + b + 1] = ink[: b + 1 - a]
             else:
                 self.array[y, a : b + 1] = self._inked(mask[y, a : b + 1], color)
 
@@ -256,21 +271,18 @@ class Page:
 
     # Curves, stamps and whole pages
 
-    def ellipse(self, x: int, y: int, rx: int, ry: int, color: int) -> None:
-        """A thin ellipse around x, y."""
-        places, reach_x, reach_y = curves.places(rx, ry, self.width)
-        left, top, right, bottom = self.box
-        if left + reach_x <= x <= right - reach_x and top + reach_y <= y <= bottom - reach_y:
-            self.flat[places + (y * self.width + x)] = color
-        else:
-            dx, dy = curves.outline(rx, ry)
-            if max(abs(x), abs(y)) < FAR:
-                self.put_many(x + dx, y + dy, color)
-
-    def offsets(self, x: int, y: int, points: list[Offset], color: int) -> None:
-        """Single pixels at offsets from x, y."""
-        for dx, dy in points:
-            self.put(x + dx, y + dy, color)
+    def curve(self, x: int, y: int, outline: Outline, color: int) -> None:
+        """A thin curve around x, y."""
+        dx, dy, place, left, top, right, bottom = outline
+        if (
+            self._left <= x + left
+            and x + right <= self._right
+            and self._top <= y + top
+            and y + bottom <= self._bottom
+        ):
+            self.flat[place + (y * self.width + x)] = color
+        elif max(abs(x), abs(y)) < FAR:
+            self.put_many(x + dx, y + dy, color)
 
     def fill_symmetric(
         self, x: int, y: int, steps: list[Offset], color: int, pattern: bytes
@@ -314,6 +326,12 @@ class Page:
     def clear(self) -> None:
         """The whole page becomes index 0, whatever the clipping box."""
         self.flat.fill(0)
+
+
+@lru_cache(maxsize=64)
+def _line_of(color: int, width: int, dtype: np.dtype[Any]) -> memoryview:
+    """A line of pixels of one colour, to copy from."""
+    return np.full(width, color, dtype).data
 
 
 def _copy(part: Pixels, image: Pixels, mask: Any) -> None:

@@ -27,8 +27,9 @@ def test_area(width, height, seed, density):
     inside = rng.random((height, width)) < density
     x, y = int(rng.integers(width)), int(rng.integers(height))
     inside[y, x] = True
+    marks = bytearray(inside.tobytes())
     area = np.zeros_like(inside)
-    for row, first, last in zip(*flood(inside, inside, x, y), strict=True):
+    for row, first, last in zip(*flood(marks, marks, width, x, y), strict=True):
         assert not area[row, first : last + 1].any()
         area[row, first : last + 1] = True
     assert (area == reference(inside, x, y)).all()

@@ -212,23 +212,24 @@ def test_pygames_line_is_the_drivers(x1, y1, x2, y2):
         screen(viewport=False, background=False),
     )
     made.line(x1 + 60, y1 + 60, x2 + 60, y2 + 60)
-    from bgi.raster.lines import trace
+    from bgi.raster.lines import trace_many
 
-    xs, ys = trace(x1 + 60, y1 + 60, x2 + 60, y2 + 60)
+    xs, ys, _, _ = trace_many(np.array([[x1, y1, x2, y2]]).T + 60)
     traced.putpixel(xs, ys, 14)
     assert (made.page.array == traced.page.array).all()
 
 
 def test_pygames_line_in_every_slope():
     made, traced = screen(background=False), screen(background=False)
-    from bgi.raster.lines import trace
+    from bgi.raster.lines import trace_many
 
     for dx in range(-40, 41):
         for dy in range(-30, 31):
             made.clearviewport()
             traced.clearviewport()
             made.line(50, 35, 50 + dx, 35 + dy)
-            traced.putpixel(*trace(50, 35, 50 + dx, 35 + dy), 14)
+            xs, ys, _, _ = trace_many(np.array([[50, 35, 50 + dx, 35 + dy]]).T)
+            traced.putpixel(xs, ys, 14)
             assert (made.page.array == traced.page.array).all(), (dx, dy)
 
 

@@ -48,6 +48,16 @@ class Curves(Fills):
         color: Numbers | None = None,
     ) -> None:
         """Draw a part of a circle."""
+        if (
+            type(x) is int
+            and type(y) is int
+            and type(stangle) is int
+            and type(endangle) is int
+            and type(radius) is int
+            and color is None
+        ):
+            self._arc(x, y, stangle, endangle, radius)
+            return
         self._each(
             self._arc, x=x, y=y, stangle=stangle, endangle=endangle, radius=radius, color=color
         )
@@ -67,6 +77,17 @@ class Curves(Fills):
         color: Numbers | None = None,
     ) -> None:
         """Draw an ellipse or a part of one."""
+        if (
+            type(x) is int
+            and type(y) is int
+            and type(stangle) is int
+            and type(endangle) is int
+            and type(xradius) is int
+            and type(yradius) is int
+            and color is None
+        ):
+            self._elliptic_arc(x, y, stangle, endangle, xradius, yradius)
+            return
         self._each(
             self._elliptic_arc,
             x=x,
@@ -89,13 +110,10 @@ class Curves(Fills):
     def _ellipse(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """From angle to angle; a thin curve ignores line style and write mode."""
         x, y, color = x + self._dx, y + self._dy, self.settings.color
-        if not curves.drawable(rx, ry):
-            return
         if not self._thick:
-            if (start, end) == (0, 360):
-                self.page.ellipse(x, y, rx, ry, color)
-            else:
-                self.page.offsets(x, y, curves.arc(start, end, rx, ry), color)
+            self.page.curve(x, y, curves.outline(start, end, rx, ry, self.mode.width), color)
+            return
+        if not curves.drawable(rx, ry):
             return
         corners = [(x + dx, y + dy) for dx, dy in curves.thick_points(start, end, rx, ry)]
         for side in polygons.edges(corners):

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from bgi.arguments import Numbers, polygon_points
 from bgi.graphics.lines import Lines
 from bgi.raster import lines, polygons
-from bgi.raster.floodfill import flood
 from bgi.raster.lines import Segment
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import NO_SPANS, Point
@@ -146,12 +145,11 @@ class Fills(Lines):
         self._each(self._floodfill, x=x, y=y, border=border)
 
     def _floodfill(self, x: int, y: int, border: int) -> None:
-        left, top, right, bottom = self.page.box
-        x, y = x + self._dx - left, y + self._dy - top
-        inside = self.page.differs_from(border & self._mask)
-        if not (0 <= x <= right - left and 0 <= y <= bottom - top and inside[y, x]):
-            return
-        fill, pattern = self.settings.fill.color, self.settings.fill_rows
-        rows, starts, ends = flood(inside, self.page.differs_from(fill, pattern), x, y)
-        where = [y + top for y in rows], [x + left for x in starts], [x + left for x in ends]
-        self.page.fill_rows(where, fill, pattern)
+        settings = self.settings
+        self.page.flood(
+            x + self._dx,
+            y + self._dy,
+            border & self._mask,
+            settings.fill.color,
+            settings.fill_rows,
+        )

@@ -10,9 +10,9 @@ import math
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bgi.raster.lines import Ints
 
@@ -71,15 +71,6 @@ def quadrant(rx: int, ry: int) -> list[Offset]:
     return list(_steps(max(rx, 1), max(ry, 1)))
 
 
-@lru_cache(maxsize=128)
-def outline(rx: int, ry: int) -> tuple[Ints, Ints]:
-    """All points of a thin ellipse as offsets dx, dy: four a step, in the stepper's order."""
-    steps = np.array(quadrant(rx, ry), dtype=np.int64).reshape(-1, 2)
-    x, y = steps[:, 0], steps[:, 1]
-    dx, dy = np.stack([x, -x, x, -x], axis=1), np.stack([-y, -y, y, y], axis=1)
-    return dx.ravel(), dy.ravel()
-
-
 def drawable(rx: int, ry: int) -> bool:
     """Whether there is anything to draw: not for negative radii, nor for those that overflow."""
     return min(rx, ry) >= 0 and 100 * max(rx, ry) ** 2 < _OVERFLOW
@@ -109,33 +100,49 @@ def _rank(dx: int, dy: int) -> int:
     return 4000 + dx - up if dx < 0 else 6000 + dx + up
 
 
+class Outline(NamedTuple):
+    """The points of a thin curve: offsets from its centre, in the stepper's order."""
+
+    dx: Ints
+    dy: Ints
+    place: Ints
+    """The same as offsets into a page."""
+    left: int
+    top: int
+    right: int
+    bottom: int
+    """How far it reaches, all offsets from the centre; nothing for an empty one."""
+
+
+@lru_cache(maxsize=256)
+def outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
+    """A thin curve from angle to angle, for a page of that width."""
+    points = np.array(arc(start, end, rx, ry), dtype=np.int64).reshape(-1, 2)
+    dx, dy = points.T
+    reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
+    return Outline(dx, dy, dy * width + dx, *map(int, reach))
+
+
 def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:
-    """The points of a thin arc, in the stepper's order."""
+    """The points of a thin arc, or of a whole ellipse: four for each step, in that order."""
     start, end = reduced(start, end)
     if start == end:
         return []
+    points = [
+        point for x, y in quadrant(rx, ry) for point in ((x, -y), (-x, -y), (x, y), (-x, y))
+    ]
     rx, ry = max(rx, 1), max(ry, 1)
     first, last = point_at(start, rx, ry), point_at(end, rx, ry)
     sweep = (end - start) % 360 or 360
-    if sweep < 2 or (first == last and sweep < 350):
+    if points and (sweep < 2 or (first == last and sweep < 350)):
         return [last]
     low, high = _rank(*first), _rank(*last)
-    wraps = high <= low
-    points = zip(*(offsets.tolist() for offsets in outline(rx, ry)), strict=True)
-    ranked = ((point, _rank(*point)) for point in points)
-    if wraps:
-        return [point for point, rank in ranked if rank >= low or rank <= high]
-    return [point for point, rank in ranked if low <= rank <= high]
+    if high <= low:
+        return [point for point in points if not high < _rank(*point) < low]
+    return [point for point in points if low <= _rank(*point) <= high]
 
 
 def quarters(start: int, end: int) -> list[tuple[int, int]]:
     """The pieces of a slice, cut at 90, 180 and 270 degrees."""
     cuts = [start, *(a for a in (90, 180, 270) if start < a < end), end]
     return list(pairwise(cuts))
-
-
-@lru_cache(maxsize=128)
-def places(rx: int, ry: int, width: int) -> tuple[NDArray[np.int64], int, int]:
-    """`outline` as offsets into a page of that width, with its reach in x and in y."""
-    dx, dy = outline(rx, ry)
-    return dy * width + dx, int(dx.max(initial=-1)), int(dy.max(initial=-1))

@@ -6,32 +6,29 @@ original keeps its seeds on a short stack and loses what does not fit; here noth
 whatever the shape, and every run is visited once.
 """
 
-import numpy as np
-from numpy.typing import NDArray
-
 from bgi.raster.polygons import Rows
 
 
-def flood(inside: NDArray[np.bool_], unfilled: NDArray[np.bool_], x: int, y: int) -> Rows:
-    """The rows to fill from x, y: runs of `inside`, reached through pixels `unfilled` as well."""
-    width = inside.shape[1]
-    area, open_area = inside.tobytes(), (inside & unfilled).tobytes()
-    start = area.rfind(b"\0", y * width, y * width + x) + 1 or y * width
-    end = area.find(b"\0", y * width + x, (y + 1) * width)
-    waiting = [(start, end if end >= 0 else (y + 1) * width)]
+def flood(inside: bytearray, unfilled: bytearray, width: int, x: int, y: int) -> Rows:
+    """The rows to fill from x, y: runs of `inside`, entered through pixels `unfilled` as well.
+
+    Both hold a byte for each pixel of an area of that width, 1 for yes and 0 for no.
+    """
+    waiting = [_run(inside, width, y * width + x)]
     found = set(waiting)
     while waiting:
         start, end = waiting.pop()
-        base = start // width * width
-        for neighbour in (base - width, base + width):
-            if not 0 <= neighbour < len(area):
+        for step in (-width, width):
+            place, stop = start + step, end + step
+            if (place, stop) in found or not 0 <= place < len(inside):
                 continue
-            place = start - base + neighbour
-            stop = end - base + neighbour
-            while (place := open_area.find(b"\1", place, stop)) >= 0:
-                first = area.rfind(b"\0", neighbour, place) + 1 or neighbour
-                last = area.find(b"\0", place, neighbour + width)
-                run = first, last if last >= 0 else neighbour + width
+            while (place := unfilled.find(1, place, stop)) >= 0:
+                if not inside[place]:
+                    place = inside.find(1, place, stop)
+                    if place < 0:
+                        break
+                    continue
+                run = _run(inside, width, place)
                 if run not in found:
                     found.add(run)
                     waiting.append(run)
@@ -40,6 +37,14 @@ def flood(inside: NDArray[np.bool_], unfilled: NDArray[np.bool_], x: int, y: int
     rows = [start // width for start, _ in runs]
     return (
         rows,
-        [start - row * width for (start, _), row in zip(runs, rows, strict=True)],
-        [end - 1 - row * width for (_, end), row in zip(runs, rows, strict=True)],
+        [start % width for start, _ in runs],
+        [(end - 1) % width for _, end in runs],
     )
+
+
+def _run(inside: bytearray, width: int, place: int) -> tuple[int, int]:
+    """The run of inside pixels around a place: its start, and where it ends (excluded)."""
+    row = place // width * width
+    start = inside.rfind(0, row, place) + 1 or row
+    end = inside.find(0, place, row + width)
+    return start, end if end >= 0 else row + width

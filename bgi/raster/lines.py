@@ -26,6 +26,8 @@ Segments = tuple[Ints, Ints, Ints, Ints]
 
 _BATCH = 8192
 """Pixels traced at a time."""
+_STEPS = np.arange(1 << 13, dtype=np.float64)
+"""No page is wider or higher."""
 _MOVES = 8
 """More moves than any line needs to come inside: each end crosses at most two edges."""
 
@@ -104,17 +106,21 @@ def _moved(
     return x + ahead + toward_zero(down * dx, dy), y + down + toward_zero(ahead * dy, dx)
 
 
-def trace(x1: int, y1: int, x2: int, y2: int) -> tuple[Ints, Ints]:
-    """The pixels of one thin line, in drawing order."""
+def places(segment: Segment, width: int) -> Ints:
+    """The pixels of one thin line, as places on a page of that width, in drawing order."""
+    x1, y1, x2, y2 = segment
     if y2 < y1:
         x1, y1, x2, y2 = x2, y2, x1, y1
     dx, dy = x2 - x1, y2 - y1
-    n, m = (dy, abs(dx)) if dy > abs(dx) else (abs(dx), dy)
-    along = np.arange(n + 1)
-    across = (along * (2 * m) + n) // (2 * n or 1)
-    if dy > abs(dx):
-        along, across = across, along
-    return (x1 + along if dx >= 0 else x1 - along), y1 + across
+    right = 1 if dx >= 0 else -1
+    n, m, along, across = abs(dx), dy, right, width
+    if dy > n:
+        n, m, along, across = dy, n, width, right
+    # The rule's fractions are multiples of 1 / 2n: half of that more makes floats exact.
+    place = (_STEPS[: n + 1] * (m / (n or 1)) + (0.5 + 0.25 / (n or 1))).astype(np.int64)
+    place *= across
+    place += np.arange(y1 * width + x1, y1 * width + x1 + (n + 1) * along, along)
+    return place
 
 
 def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:

@@ -36,18 +36,21 @@ FILL_PATTERNS = [
 EMPTY_ROWS = FILL_PATTERNS[0]
 SOLID_ROWS = FILL_PATTERNS[1]
 
+_LONGEST = 1 << 13
+"""More pixels than a line has on any page."""
+
 
 @lru_cache(maxsize=64)
 def line_mask(pattern: int) -> NDArray[np.bool_]:
-    """The sixteen bits of a line pattern as booleans, in drawing order."""
-    return (pattern >> np.arange(16) & 1).astype(bool)
+    """The bits of a line pattern as booleans, in drawing order, for the longest line there is."""
+    return np.tile((pattern >> np.arange(16) & 1).astype(bool), _LONGEST // 16)
 
 
 SOLID_MASK = line_mask(0xFFFF)
 
 
 @lru_cache(maxsize=16)
-def screen_mask(rows: bytes, width: int, height: int) -> NDArray[np.uint8]:
-    """A whole screen of a fill pattern: 1 where a fill puts its colour, 0 where index 0."""
-    tile = np.unpackbits(np.frombuffer(rows, np.uint8).reshape(8, 1), axis=1)
+def screen_mask(rows: bytes, width: int, height: int) -> NDArray[np.bool_]:
+    """A whole screen of a fill pattern: True where a fill puts its colour, False for index 0."""
+    tile = np.unpackbits(np.frombuffer(rows, np.uint8).reshape(8, 1), axis=1).astype(bool)
     return np.tile(tile, (-(-height // 8), -(-width // 8)))[:height, :width]
