@@ -2,9 +2,11 @@
 
 An ordinary key is one byte: its ASCII code or, beyond ASCII, its place in code page 437. A key
 without a character, such as an arrow, is two: a 0 and the key's scan code. `encode` translates
-pygame's keys into these bytes; `parse_script` does so for keys written down as words.
+pygame's keys into these bytes; `parse_script` does so for keys written down as words; `bios_code`
+makes of them what the BIOS knew a key by.
 """
 
+import sys
 import threading
 from collections import deque
 from collections.abc import Iterable
@@ -13,6 +15,9 @@ from bgi.sdl import pygame
 
 # The BIOS keeps fifteen keystrokes for a program that is busy; the sixteenth is lost.
 BIOS_BUFFER = 15
+
+# Waits are cut into pieces where Ctrl-C is heard only between two of them.
+PIECE_SECONDS = 0.1 if sys.platform == "win32" else 3600.0
 
 _PLAIN, _SHIFT, _CTRL, _ALT = range(4)
 
@@ -168,38 +173,118 @@ def _keystroke(word: str) -> bytes:
         ) from None
 
 
+# The scan codes of a US keyboard, row by row; Shift and Ctrl change nothing.
+_SCAN_CODES = {
+    ord(character): first + place
+    for first, rows in {
+        0x02: ("1234567890-=", "!@#$%^&*()_+"),
+        0x10: ("qwertyuiop[]", "QWERTYUIOP{}", "\x11\x17\x05\x12\x14\x19\x15\x09\x0f\x10"),
+        0x1E: ("asdfghjkl;'`", 'ASDFGHJKL:"~', "\x01\x13\x04\x06\x07\x08\x0a\x0b\x0c"),
+        0x2B: ("\\zxcvbnm,./", "|ZXCVBNM<>?", "\x1c\x1a\x18\x03\x16\x02\x0e\x0d"),
+        # Last, for Esc, Backspace, Tab and Enter are meant oftener than Ctrl-[, H, I, J and M.
+        0x01: ("\x1b",),
+        0x0E: ("\b\t", "\x7f"),
+        0x1C: ("\r", "\n"),
+        0x39: (" ",),
+    }.items()
+    for row in rows
+    for place, character in enumerate(row)
+}
+
+
+def bios_code(keystroke: bytes) -> int:
+    """What bioskey() returns for a keystroke: 256 times its scan code, plus its character.
+
+    Characters have the scan codes of a US keyboard, and 0 beyond ASCII.
+    """
+    if keystroke[0] == 0:
+        return keystroke[1] << 8
+    return _SCAN_CODES.get(keystroke[0], 0) << 8 | keystroke[0]
+
+
+# The BIOS's flags for the keys that change others: bioskey(2).
+_SHIFT_FLAGS = {
+    pygame.KMOD_RSHIFT: 0x01,
+    pygame.KMOD_LSHIFT: 0x02,
+    pygame.KMOD_CTRL: 0x04,
+    pygame.KMOD_ALT: 0x08,
+    pygame.KMOD_NUM: 0x20,
+    pygame.KMOD_CAPS: 0x40,
+}
+
+
+def shift_flags(mods: int) -> int:
+    """The BIOS's flags for pygame's: 1 right and 2 left Shift, 4 Ctrl, 8 Alt, 0x20 Num, 0x40 Caps."""
+    return sum(flag for mask, flag in _SHIFT_FLAGS.items() if mods & mask)
+
+
 class KeyQueue:
-    """Keystrokes on their way from the monitor's thread to the program, at most `limit` of them."""
+    """Keystrokes on their way from the monitor's thread to the program, at most `limit` of them.
+
+    `shifts` are the BIOS's flags of the Shift keys and their like. One byte can be put back; the
+    second byte of a keystroke waits in the same place.
+    """
 
     def __init__(self, limit: int = BIOS_BUFFER) -> None:
+        self.shifts = 0
         self._limit = limit
         self._keys: deque[bytes] = deque()
+        self._back: int | None = None
         self._changed = threading.Condition()
         self._error: Exception | None = None
 
     def put(self, keystroke: bytes) -> None:
         """Add a keystroke; when the queue is full the whole keystroke is lost."""
+        if len(self._keys) < self._limit:
+            self.load([keystroke])
+
+    def load(self, keystrokes: Iterable[bytes]) -> None:
+        """Add the keystrokes of a script, however many there are."""
         with self._changed:
-            if keystroke and len(self._keys) < self._limit:
-                self._keys.append(keystroke)
-                self._changed.notify_all()
+            self._keys.extend(filter(None, keystrokes))
+            self._changed.notify_all()
 
     def waiting(self) -> bool:
         """Whether `get` would return at once."""
-        return bool(self._keys)
+        return bool(self._keys) or self._back is not None
+
+    def wait(self, seconds: float) -> None:
+        """Wait until there is a key, but not longer than that."""
+        with self._changed:
+            if not self.waiting() and self._error is None:
+                self._changed.wait(seconds)
 
     def get(self) -> int:
         """The next byte; waits for one, or raises the error the queue was closed with."""
         with self._changed:
+            code, self._back = self._back, None
+            if code is None:
+                code, *rest = self.take()
+                self._back = rest[0] if rest else None
+            return code
+
+    def put_back(self, code: int) -> bool:
+        """Make `code` the next byte; False, and no change, if one has been put back already."""
+        with self._changed:
+            if self._back is not None:
+                return False
+            self._back = code
+            self._changed.notify_all()
+            return True
+
+    def peek(self) -> bytes | None:
+        """The next whole keystroke, which stays, or None."""
+        with self._changed:
+            return self._keys[0] if self._keys else None
+
+    def take(self) -> bytes:
+        """The next whole keystroke; waits as `get` does."""
+        with self._changed:
             while not self._keys:
                 if self._error is not None:
                     raise self._error.with_traceback(None)
-                # Not for ever: on Windows Ctrl-C is heard only between two waits.
-                self._changed.wait(0.1)
-            keystroke = self._keys.popleft()
-            if len(keystroke) > 1:
-                self._keys.appendleft(keystroke[1:])
-            return keystroke[0]
+                self._changed.wait(PIECE_SECONDS)
+            return self._keys.popleft()
 
     def close(self, error: Exception) -> None:
         """No more keys will come: once the queue is empty, `get` raises `error`."""

@@ -64,9 +64,9 @@ class TestEveryDemo:
     def test_runs_until_its_last_key_and_leaves_the_window_to_the_gallery(self, demo, monkeypatch):
         monkeypatch.setenv("BGI_KEYS", KEYS[name_of(demo)])
         bgi.initgraph()
-        before = current.loaded
+        before = current.loaded()
         demo.main()
-        assert current.loaded is before
+        assert current.loaded() is before
         assert not bgi.kbhit()
 
     def test_has_its_picture_in_the_documentation(self, demo):
@@ -114,7 +114,7 @@ class TestCommand:
 
         def watched(place):
             answer = choose(place)
-            screens.append(current.loaded)
+            screens.append(current.loaded())
             return answer
 
         monkeypatch.setattr(menu, "choose", watched)
@@ -127,7 +127,7 @@ class TestCommand:
     def test_runs_one_demo_and_closes_the_screen(self, monkeypatch, name):
         monkeypatch.setenv("BGI_KEYS", KEYS[name])
         assert command([name]) == 0
-        assert current.loaded is None
+        assert current.loaded() is None
 
     def test_lists_the_demos(self, capsys):
         assert command(["--list"]) == 0

@@ -18,36 +18,13 @@ import numpy as np
 
 from bgi.card import Card
 from bgi.keyboard import encode as encode_key
+from bgi.monitor.picture import Shape, fit, largest, surface
 from bgi.monitor.protocol import encode, receive
 from bgi.sdl import pygame
 
 FRAME = 1 / 60
 LATE = 0.002  # a wait rounds up to milliseconds; so much is made good at the next picture
 MESSAGE = pygame.USEREVENT
-
-
-def fit(
-    width: int, height: int, max_width: int, max_height: int, square: bool = False
-) -> tuple[int, int]:
-    """The size of the window for a mode: 4:3, as every mode filled a monitor of 4:3.
-
-    Each pixel is a whole number of screen pixels wide, as many as fit into the maximum, and at
-    least one screen pixel high; if need be the window is larger than the maximum. Pixels that are
-    `square` stay so.
-    """
-    if square:
-        step = max(min(max_width // width, max_height // height), 1)
-        return step * width, step * height
-    fitting = min(max_width // width, max_height * 4 // (3 * width))
-    step = max(fitting, math.ceil(4 * height / (3 * width)), 1)
-    return step * width, step * width * 3 // 4
-
-
-def largest(desktop_width: int, desktop_height: int) -> tuple[int, int]:
-    """The maximum for `fit`: 640 x 480 or twice that, if a tenth of the desktop stays free."""
-    step = min(desktop_width * 9 // 10 // 640, desktop_height * 9 // 10 // 480)
-    step = min(max(step, 1), 2)
-    return step * 640, step * 480
 
 
 class Screen:
@@ -62,8 +39,7 @@ class Screen:
             raise pygame.error(f"the display {os.environ.get('DISPLAY', '')!r} cannot be opened")
         self._maximum = largest(*pygame.display.get_desktop_sizes()[0])
         self.set_title("pybgi")
-        width, height, _ = card.frame() or (640, 480, b"")
-        self._open(width, height)
+        self._open(Shape(640, 480))
         self.update()
 
     def set_title(self, title: str) -> None:
@@ -77,15 +53,12 @@ class Screen:
         if frame is None or (frame, palette) == self._shown:
             return False
         self._shown = frame, palette
-        width, height, pixels = frame
-        if (width, height) != self._mode:
-            self._open(width, height)
-        page = np.frombuffer(pixels, np.uint8).reshape(height, width)
-        wide = page.repeat(self._size[0] // width, axis=1)
-        picture = wide.take(self._rows, axis=0).tobytes()
-        surface = pygame.image.frombuffer(picture, self._size, "P")
-        surface.set_palette(np.frombuffer(palette, np.uint8).reshape(256, 3).tolist())
-        self._window.blit(surface, (0, 0))
+        shape = Shape(frame.width, frame.height, frame.square)
+        if shape != self._shape:
+            self._open(shape)
+        colours = np.frombuffer(palette, np.uint8).reshape(256, 3)
+        self._page.blit(surface(frame, colours), (0, 0))
+        pygame.transform.scale(self._page, self._window.get_size(), self._window)
         pygame.display.flip()
         self.presents += 1
         return True
@@ -94,15 +67,15 @@ class Screen:
         """Something has painted over the window: present again."""
         self._shown = None
 
-    def _open(self, width: int, height: int) -> None:
+    def _open(self, shape: Shape) -> None:
         """Open the window for a mode, or make the open one fit it."""
-        self._mode = width, height
-        self._size = fit(width, height, *self._maximum)
+        self._shape = shape
+        size = fit(shape, *self._maximum)
         window = pygame.display.get_surface()
-        if window is None or window.get_size() != self._size:  # else it would only flicker
-            window = pygame.display.set_mode(self._size)
+        if window is None or window.get_size() != size:  # else it would only flicker
+            window = pygame.display.set_mode(size)
         self._window = window
-        self._rows = np.arange(self._size[1]) * height // self._size[1]
+        self._page = pygame.Surface((shape.width, shape.height), 0, window)
 
 
 class Child:
