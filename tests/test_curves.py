@@ -76,6 +76,18 @@ def test_angles_are_brought_into_a_turn(new_screen, angles, same):
     assert points(one) == points(other)
 
 
+def test_large_arcs_are_arcs(vga):
+    """Above a radius of 1000 the original's arithmetic mixes the quadrants up; ours does not."""
+    vga.arc(-1800, 240, -5, 5, 2000)
+    shown = points(vga)
+    assert {x for x, _ in shown} <= set(range(185, 201))
+    assert {y for _, y in shown} == set(range(66, 416))
+    vga.cleardevice()
+    vga.sector(-1800, 240, 0, 10, 2000, 2000)
+    assert vga.getpixel(100, 100) == 15
+    assert vga.getpixel(100, 300) == 0
+
+
 def test_equal_angles_draw_nothing(vga):
     vga.arc(100, 100, 45, 45, 60)
     assert not points(vga)

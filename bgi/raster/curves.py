@@ -92,12 +92,16 @@ def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     return [point_at(angle, rx, ry) for angle in range(start, end + 1)]
 
 
+_QUADRANT = 1 << 20
+"""Between the ranks of two quadrants. The original's 2000 mixes them up for radii above 1000."""
+
+
 def _rank(dx: int, dy: int) -> int:
     """A number that grows counter-clockwise from the right, for points of one ellipse."""
     up = -dy
     if up >= 0:
-        return up - dx if dx >= 0 else 2000 - dx - up
-    return 4000 + dx - up if dx < 0 else 6000 + dx + up
+        return up - dx if dx >= 0 else _QUADRANT - dx - up
+    return 2 * _QUADRANT + dx - up if dx < 0 else 3 * _QUADRANT + dx + up
 
 
 class Outline(NamedTuple):
