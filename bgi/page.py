@@ -136,9 +136,10 @@ class Page:
     def _trace(self, segments: Segments, pattern: Mask) -> Iterator[tuple[Ints, Ints]]:
         """The pixels of many lines, clipped: their places, and which line each belongs to."""
         visible, kept = lines.clip_many(segments, self.box)
-        for part in lines.batches(visible):
-            x1, y1, x2, y2 = (end[part].astype(np.int64, copy=False) for end in visible)
-            x, y, step, line = lines.trace_many((x1, y1, x2, y2))
+        x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
+        lengths = np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1
+        for part in lines.batches(lengths, lines.PIXELS):
+            x, y, step, line = lines.trace_many((x1[part], y1[part], x2[part], y2[part]))
             place = y * self.width + x
             if pattern is not SOLID_MASK:
                 drawn = pattern[step]

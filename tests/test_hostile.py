@@ -92,10 +92,10 @@ def test_any_arguments(name, data, thick, xor, fill):
         getattr(screen, name)(*values)
     except (TypeError, ValueError) as error:
         assert str(error)
-        assert (screen.page.array == 3).all() or name in ("line", "circle", "arc")
+        assert (screen.pages[0].array == 3).all() or name in ("line", "circle", "arc")
     if name not in UNCLIPPED:
-        screen.page.array[100:250, 100:300] = 3
-        assert (screen.page.array == 3).all()
+        screen.pages[0].array[100:250, 100:300] = 3
+        assert (screen.pages[0].array == 3).all()
     screen.graphdefaults()
     screen.putpixel(1, 1, 5)
     assert screen.getpixel(1, 1) == 5

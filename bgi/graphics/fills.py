@@ -127,11 +127,12 @@ class Fills(Lines):
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
     ) -> None:
         sides, real = polygons.edges_many(np.concatenate([points, points[:, :1]], axis=1))
-        real &= (colors != 0)[:, None]
+        drawn = real & (colors != 0)
         rows, box = self.settings.fill_rows, self.page.box
         for part, spans in polygons.spans(sides, box[1], box[3]):
-            owners = np.nonzero(real[part])[0] + part.start
-            x1, y1, x2, y2 = sides[part][real[part]].T
+            owners, side = np.nonzero(drawn[:, part].T)
+            owners += part.start
+            x1, y1, x2, y2 = (end[side, owners] for end in sides)
             segments = (x1, y1, x2, y2)
             if self._thick:
                 segments, owners = lines.strands_many(segments), np.repeat(owners, 3)

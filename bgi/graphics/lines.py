@@ -18,6 +18,7 @@ from bgi.arguments import (
 )
 from bgi.graphics.screen import Screen
 from bgi.raster import lines, polygons
+from bgi.raster.lines import Segments
 from bgi.raster.polygons import Point
 
 
@@ -93,8 +94,9 @@ class Lines(Screen):
         elif any(is_array(value) for value in (x1, y1, x2, y2, color)):
             shade = self.settings.color if color is None else color
             ends = broadcast(x1=x1, y1=y1, x2=x2, y2=y2, color=shade)
-            corners = np.stack(ends[:4], axis=1) + np.tile(self._origin, 2)
-            self._segments(corners, ends[4] & self._mask)
+            dx, dy = self._dx, self._dy
+            x1, y1, x2, y2, colors = ends
+            self._segments((x1 + dx, y1 + dy, x2 + dx, y2 + dy), colors & self._mask)
         else:
             self._each(self.line, x1=x1, y1=y1, x2=x2, y2=y2, color=color)
 
@@ -106,10 +108,8 @@ class Lines(Screen):
             else:
                 self.page.styled_line(strand, color, self._pattern, self._xor)
 
-    def _segments(self, corners: NDArray[Any], colors: NDArray[Any]) -> None:
-        """Many lines, absolute rows x1, y1, x2, y2, each in its colour."""
-        x1, y1, x2, y2 = corners.T
-        segments = (x1, y1, x2, y2)
+    def _segments(self, segments: Segments, colors: NDArray[Any]) -> None:
+        """Many lines between absolute points, each in its colour."""
         if self._thick:
             segments, colors = lines.strands_many(segments), np.repeat(colors, 3)
         self.page.lines(segments, colors, self._pattern, self._xor)
@@ -168,8 +168,9 @@ class Lines(Screen):
         else:
             sides, real = polygons.edges_many(corners + self._origin)
             colors = self._colors("color", color, self.settings.color, len(corners))
-            owners = np.nonzero(real)[0]
-            self._segments(sides[real], colors[owners])
+            owners, side = np.nonzero(real.T)
+            x1, y1, x2, y2 = (end[side, owners] for end in sides)
+            self._segments((x1, y1, x2, y2), colors[owners])
 
     def _shifted(self, points: list[Point]) -> list[Point]:
         dx, dy = self._origin

@@ -24,7 +24,7 @@ Segment = tuple[int, int, int, int]
 Segments = tuple[Ints, Ints, Ints, Ints]
 """x1, y1, x2, y2 of many lines."""
 
-_BATCH = 8192
+PIXELS = 8192
 """Pixels traced at a time."""
 _STEPS = np.arange(1 << 13, dtype=np.float64)
 """No page is wider or higher."""
@@ -142,15 +142,14 @@ def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
     return x1[line] + in_x * np.sign(dx)[line], y1[line] + in_y, step, line
 
 
-def batches(segments: Segments) -> Iterator[slice]:
-    """Cut many clipped lines into groups whose pixels fit the cache."""
-    x1, y1, x2, y2 = segments
-    ends = np.cumsum(np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1)
+def batches(sizes: Ints, most: int) -> Iterator[slice]:
+    """Cut consecutive things into groups of about that size together, at least one a group."""
+    ends = np.cumsum(sizes)
     start, total = 0, 0
     while start < len(ends):
-        end = max(start + 1, int(np.searchsorted(ends, total + _BATCH, side="right")))
+        end = max(start + 1, int(np.searchsorted(ends, total + most, side="right")))
         yield slice(start, end)
-        start, total = end, ends[end - 1]
+        start, total = end, int(ends[end - 1])
 
 
 def strands(x1: int, y1: int, x2: int, y2: int) -> list[Segment]:

@@ -14,14 +14,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.raster.lines import Ints, Segment, toward_zero
+from bgi.raster.lines import Ints, Segment, Segments, batches, toward_zero
 
 Point = tuple[int, int]
 Rows = tuple[list[int], list[int], list[int]]
 """y and both ends of rows to fill, the ends in any order."""
 
-_CELLS = 1 << 15
-"""How many crossings are computed at a time: bounds the memory, whatever the polygons."""
+_ROWS = 1 << 14
+"""Rows worked on at a time: bounds the memory, whatever the polygons."""
 _FAR = 1 << 62
 """No crossing lies so far out: it is clamped to less."""
 
@@ -105,88 +105,88 @@ def _paired(found: list[tuple[int, list[int]]], top: int, height: int) -> Rows:
     return [y for y, _, _ in pairs], [x for _, x, _ in pairs], [x for _, _, x in pairs]
 
 
-def edges_many(points: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.bool_]]:
+def edges_many(points: NDArray[Any]) -> tuple[Segments, NDArray[np.bool_]]:
     """`edges` for m polygons of k points each, shape (m, k, 2).
 
-    Returns (m, k - 1, 4) lines, and which of them are real: the others lie between two paths.
+    Returns their lines x1, y1, x2, y2, arrays (k - 1, m), and which of them are real: the others
+    lie between two paths, and have no length.
     """
-    start, before = points[:, 0], points[:, 0]
-    open_path = np.ones(len(points), dtype=bool)
-    single = np.ones(len(points), dtype=bool)
-    found = np.concatenate([points[:, :-1], points[:, 1:]], axis=2)
-    real = np.zeros(found.shape[:2], dtype=bool)
-    for j in range(1, points.shape[1]):
-        point = points[:, j]
-        back = (point == start).all(axis=1)
+    x, y = np.ascontiguousarray(points.transpose(2, 1, 0))
+    back = (x == x[0]) & (y == y[0])
+    sides = x[:-1], y[:-1], x[1:], y[1:]
+    if len(x) > 2 and not back[1:-1].any():  # nobody is back before the end: one path each
+        return sides, np.ones(back[1:].shape, dtype=bool)
+    return _split(x, y)
+
+
+def _split(x: Ints, y: Ints) -> tuple[Segments, NDArray[np.bool_]]:
+    """What `paths` does, for the points (k, m) of m polygons at a time."""
+    start_x, start_y = x[0], y[0]
+    x1, y1, x2, y2 = x[:-1].copy(), y[:-1].copy(), x[1:].copy(), y[1:].copy()
+    real = np.zeros(x1.shape, dtype=bool)
+    open_path = np.ones(x.shape[1], dtype=bool)
+    single = np.ones(x.shape[1], dtype=bool)
+    before_x, before_y = x[0], y[0]
+    for j in range(1, len(x)):
+        back = (x[j] == start_x) & (y[j] == start_y)
         begins = ~open_path
         drawn = open_path & ~(back & single)
-        found[:, j - 1, :2] = before
-        real[:, j - 1] = drawn
-        start = np.where(begins[:, None], point, start)
-        before = np.where((begins | drawn)[:, None], point, before)
+        x1[j - 1], y1[j - 1], real[j - 1] = before_x, before_y, drawn
+        start_x, start_y = np.where(begins, x[j], start_x), np.where(begins, y[j], start_y)
+        moved = begins | drawn
+        before_x, before_y = np.where(moved, x[j], before_x), np.where(moved, y[j], before_y)
         open_path = begins | ~(back & drawn)
         single = begins | (single & ~drawn)
-    found[~real, 2:] = found[~real, :2]
-    return found, real
+    return (x1, y1, np.where(real, x2, x1), np.where(real, y2, y1)), real
 
 
-def spans(corners: NDArray[Any], top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
+def spans(sides: Segments, top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
     """Fill polygons given by their sides, as far as rows top..bottom show them.
 
-    `corners` has shape (n, k, 4): n polygons of k sides x1, y1, x2, y2; int64, or object for
+    `sides` are x1, y1, x2, y2 of shape (k, n), k sides of n polygons; int64, or object for
     coordinates beyond its range. Yields batches of consecutive polygons: which ones, their spans.
     """
-    y1, y2 = corners[:, :, 1], corners[:, :, 3]
-    highest = y1.min(axis=1)
-    lowest = y1.max(axis=1)  # of closed polygons; an open one's last end is some first one too
-    lowest = np.maximum(lowest, y2.max(axis=1))
-    highest = np.minimum(highest, y2.min(axis=1))
+    x1, y1, x2, y2 = sides
+    up = y2 < y1
+    upper, lower = np.where(up, y2, y1), np.where(up, y1, y2)
+    down_from, dx = np.where(up, x2, x1), np.where(up, x1 - x2, x2 - x1)
+    highest, lowest = upper.min(axis=0), lower.max(axis=0)
     # A polygon that goes down once and up once crosses every row twice.
-    simple = abs(y2 - y1).sum(axis=1) == 2 * (lowest - highest)
+    simple = (lower - upper).sum(axis=0) == 2 * (lowest - highest)
     first = np.maximum(highest, top)
-    rows = np.maximum(np.minimum(lowest - 1, bottom) - first + 1, 0)
-    batch = max(1, _CELLS // (corners.shape[1] * max(1, int(rows.max(initial=1)))))
-    for start in range(0, len(corners), batch):
-        part = slice(start, start + batch)
-        fill = _fill_simple if simple[part].all() else _fill
-        found = fill(_crossings(corners[part], first[part], rows[part]), first[part])
-        yield part, found._replace(owner=found.owner + start)
+    rows = np.maximum(np.minimum(lowest - 1, bottom) - first + 1, 0).astype(np.int64)
+    steps = np.stack([upper, lower - upper, down_from, dx], axis=-1)
+    for part in batches(rows, _ROWS):
+        owner = np.repeat(np.arange(part.start, part.stop), rows[part])
+        ends = np.cumsum(rows[part])
+        y = np.arange(len(owner)) + (first[part] - (ends - rows[part]))[owner - part.start]
+        crossings = [_crossings(y, *step[owner].T) for step in steps]
+        if simple[part].all():
+            yield part, _outer(y, crossings, owner)
+        else:
+            yield part, _paired_spans(y, crossings, owner)
 
 
-def _crossings(
-    corners: NDArray[Any], first: Ints, rows: Ints
-) -> Iterator[tuple[NDArray[Any], NDArray[np.bool_]]]:
-    """For each side: x on every row of every polygon, (n, rows), and where it does cross."""
-    row = np.arange(int(rows.max(initial=0)))
-    y = first[:, None] + row
-    wanted = row < rows[:, None]
-    for side in range(corners.shape[1]):
-        x1, y1, x2, y2 = corners[:, side].T
-        up = y2 < y1
-        above, x = np.where(up, y2, y1)[:, None], np.where(up, x2, x1)[:, None]
-        dy, dx = abs(y2 - y1)[:, None], np.where(up, x1 - x2, x2 - x1)[:, None]
-        below = y - above
-        crossing = x + toward_zero(below * dx, dy)
-        if crossing.dtype == object:
-            crossing = np.clip(crossing, 1 - _FAR, _FAR - 1)
-        yield crossing, wanted & (below >= 0) & (below < dy)
+def _crossings(y: Ints, upper: Ints, dy: Ints, x: Ints, dx: Ints) -> Ints:
+    """Where one side crosses each row; _FAR where it does not."""
+    below = y - upper
+    x = x + toward_zero(below * dx, dy)
+    if x.dtype == object:
+        x = np.clip(x, 1 - _FAR, _FAR - 1)
+    x[(below < 0) | (below >= dy)] = _FAR
+    return x
 
 
-def _fill_simple(crossings: Iterator[tuple[NDArray[Any], NDArray[np.bool_]]], first: Ints) -> Spans:
-    """Polygons that cross each of their rows twice: from the lesser to the greater crossing."""
-    x, crossed = next(crossings)
-    left, right = np.where(crossed, x, _FAR), np.where(crossed, x, -_FAR)
-    for x, crossed in crossings:
-        np.copyto(left, np.minimum(left, x), where=crossed)
-        np.copyto(right, np.maximum(right, x), where=crossed)
-    owner, row = np.nonzero(left < _FAR)
-    return Spans(first[owner] + row, left[owner, row], right[owner, row], owner)
+def _outer(y: Ints, crossings: list[Ints], owner: Ints) -> Spans:
+    """Rows crossed twice: from the lesser to the greater crossing."""
+    left = np.minimum.reduce(crossings)
+    right = np.maximum.reduce([np.where(x == _FAR, -_FAR, x) for x in crossings])
+    return Spans(y, left, right, owner)
 
 
-def _fill(crossings: Iterator[tuple[NDArray[Any], NDArray[np.bool_]]], first: Ints) -> Spans:
-    """Any polygons: the crossings of each row sorted and paired."""
-    ordered = np.sort(np.stack([np.where(crossed, x, _FAR) for x, crossed in crossings]), axis=0)
-    left = ordered[0 : len(ordered) // 2 * 2 : 2].transpose(1, 2, 0)
-    right = ordered[1::2].transpose(1, 2, 0)
-    owner, row, pair = np.nonzero(right < _FAR)
-    return Spans(first[owner] + row, left[owner, row, pair], right[owner, row, pair], owner)
+def _paired_spans(y: Ints, crossings: list[Ints], owner: Ints) -> Spans:
+    """Any rows: their crossings sorted and paired."""
+    ordered = np.sort(np.stack(crossings, axis=1), axis=1)
+    left, right = ordered[:, 0 : len(crossings) // 2 * 2 : 2], ordered[:, 1::2]
+    row, pair = np.nonzero(right < _FAR)
+    return Spans(y[row], left[row, pair], right[row, pair], owner[row])
