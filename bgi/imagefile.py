@@ -1,5 +1,6 @@
 """Pictures on disk: a page as a PNG that keeps its palette and indices, and any picture read."""
 
+import io
 import os
 from typing import Any
 
@@ -12,10 +13,10 @@ from bgi.sdl import pygame
 Filename = str | os.PathLike[str]
 
 
-def save_png(filename: Filename, pixels: NDArray[Any], palette: NDArray[np.uint8]) -> None:
-    """Write pixels (height, width) with their palette (256, 3); OSError if that fails.
+def png(pixels: NDArray[Any], palette: NDArray[np.uint8]) -> bytes:
+    """Pixels (height, width) with their palette (256, 3) as a PNG.
 
-    Indices are written as they are; pixels of four bytes as the colours that they mean.
+    Indices are kept as they are; pixels of four bytes become the colours that they mean.
     """
     size = pixels.shape[1], pixels.shape[0]
     if pixels.dtype == np.uint8:
@@ -26,8 +27,16 @@ def save_png(filename: Filename, pixels: NDArray[Any], palette: NDArray[np.uint8
         own = pixels >= 16
         shown[own] = np.stack([pixels[own] >> shift & 255 for shift in (0, 8, 16)], axis=-1)
         surface = pygame.image.frombuffer(shown.tobytes(), size, "RGB")
+    file = io.BytesIO()
+    pygame.image.save(surface, file, "png")
+    return file.getvalue()
+
+
+def save_png(filename: Filename, pixels: NDArray[Any], palette: NDArray[np.uint8]) -> None:
+    """Write a PNG, as `png` makes it; OSError if that fails."""
+    picture = png(pixels, palette)
     with open(filename, "wb") as file:
-        pygame.image.save(surface, file, "png")
+        file.write(picture)
 
 
 def load(filename: Filename, width: int | None, height: int | None) -> NDArray[np.uint8]:

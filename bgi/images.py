@@ -12,6 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.imagefile import png
+from bgi.palette import DEFAULTS
+
 _HEADER = struct.Struct("<HH")
 _TRAILER = b"\0\0"
 LARGEST = 1 << 26
@@ -49,6 +52,10 @@ class Image:
     def __repr__(self) -> str:
         """Size and colours, not the pixels."""
         return f"<Image {self.width}x{self.height}, {self.colors} colours>"
+
+    def _repr_png_(self) -> bytes:
+        """The image for notebooks, in the colours that screens begin with."""
+        return png(self.array, np.array(DEFAULTS["IBM8514"][1], dtype=np.uint8))
 
     def __bytes__(self) -> bytes:
         """The image in Borland's layout; ValueError if a side is too long for its words."""

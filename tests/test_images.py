@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 import bgi
 from bgi import Image
 from bgi.errors import result
+from tests.pictures import read_indices
 
 
 @pytest.mark.parametrize(
@@ -144,6 +145,16 @@ def test_viewport_moves_but_does_not_clip_images(vga):
     vga.putimage(0, 0, image, bgi.COPY_PUT)
     assert vga.page.array.sum() == 100 * 15
     assert vga.getimage(0, 0, 9, 9).array.min() == 15
+
+
+def test_notebooks_show_screens_and_images(vga, tmp_path):
+    vga.bar(3, 4, 20, 30)
+    for name, shown, expected in [
+        ("screen", vga, vga.page.array),
+        ("image", vga.getimage(0, 0, 9, 9), vga.page.array[:10, :10]),
+    ]:
+        (tmp_path / name).write_bytes(shown._repr_png_())
+        assert (read_indices(tmp_path / name) == expected).all()
 
 
 def test_wrong_images(vga):

@@ -9,7 +9,7 @@ from bgi.arguments import Number, whole
 from bgi.constants import COPY_PUT, NOT_PUT, grError
 from bgi.errors import result
 from bgi.graphics.screen import Screen
-from bgi.imagefile import load, nearest, save_png, tagged
+from bgi.imagefile import load, nearest, png, save_png, tagged
 from bgi.images import LARGEST, Image, byte_size
 
 Buffer = bytes | bytearray | memoryview
@@ -17,6 +17,10 @@ Buffer = bytes | bytearray | memoryview
 
 class Images(Screen):
     """A screen to take pieces from and to put them on."""
+
+    def _repr_png_(self) -> bytes:
+        """The active page, for notebooks."""
+        return png(self.page.array, self.card.palette)
 
     def imagesize(self, left: Number, top: Number, right: Number, bottom: Number) -> int:
         """The bytes of Borland's layout; 65535 and -11 from 64K on."""
