@@ -148,6 +148,21 @@ def test_fillpoly_even_odd_and_two_paths(vga):
     assert vga.getpixel(4, 4) == vga.getpixel(5, 5) == 0
 
 
+def test_fillpoly_leaves_the_rows_between_paths_empty(new_screen):
+    def square(x, y):
+        return [(x, y), (x + 9, y), (x + 9, y + 10), (x, y + 10), (x, y)]
+
+    figure = square(0, 0) + square(20, 0) + square(0, 20)
+    one, many = new_screen(), new_screen()
+    one.fillpoly(figure, color=0)
+    many.fillpoly([figure], color=0)
+    for screen in (one, many):
+        assert screen.page.array[:10, :10].all()
+        assert screen.page.array[:10, 20:30].all()
+        assert not screen.page.array[10:20].any()
+        assert not screen.page.array[:10, 10:20].any()
+
+
 def test_empty_fill_erases_a_bar_but_leaves_a_polygon(vga):
     vga.bar(0, 0, 30, 30)
     vga.setfillstyle(0, 3)

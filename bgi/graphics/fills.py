@@ -129,7 +129,7 @@ class Fills(Lines):
         sides, real = polygons.edges_many(np.concatenate([points, points[:, :1]], axis=1))
         drawn = real & (colors != 0)
         rows, box = self.settings.fill_rows, self.page.box
-        for part, spans in polygons.spans(sides, box[1], box[3]):
+        for part, spans in polygons.spans(sides, real, box[1], box[3]):
             owners, side = np.nonzero(drawn[:, part].T)
             owners += part.start
             x1, y1, x2, y2 = (end[side, owners] for end in sides)

@@ -86,7 +86,8 @@ def scan(sides: Sequence[Segment], top: int, bottom: int) -> Rows:
             rows_down += last - first
         else:
             rows_up += last - first
-    if rows_down == rows_up == height:  # every row is crossed once down, once up
+    ring = all(a[2:] == b[:2] for a, b in pairwise([*sides, *sides[:1]]))
+    if ring and rows_down == rows_up == height:  # every row is crossed once down, once up
         return list(range(top, bottom + 1)), down, up
     return _paired(found, top, height)
 
@@ -140,19 +141,22 @@ def _split(x: Ints, y: Ints) -> tuple[Segments, NDArray[np.bool_]]:
     return (x1, y1, np.where(real, x2, x1), np.where(real, y2, y1)), real
 
 
-def spans(sides: Segments, top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
-    """Fill polygons given by their sides, as far as rows top..bottom show them.
+def spans(
+    sides: Segments, real: NDArray[np.bool_], top: int, bottom: int
+) -> Iterator[tuple[slice, Spans]]:
+    """Fill closed polygons given by their sides, as far as rows top..bottom show them.
 
     `sides` are x1, y1, x2, y2 of shape (k, n), k sides of n polygons; int64, or object for
-    coordinates beyond its range. Yields batches of consecutive polygons: which ones, their spans.
+    coordinates beyond its range; `real` as `edges_many` gives it. Yields batches of consecutive
+    polygons: which ones, their spans.
     """
     x1, y1, x2, y2 = sides
     up = y2 < y1
     upper, lower = np.where(up, y2, y1), np.where(up, y1, y2)
     down_from, dx = np.where(up, x2, x1), np.where(up, x1 - x2, x2 - x1)
     highest, lowest = upper.min(axis=0), lower.max(axis=0)
-    # A polygon that goes down once and up once crosses every row twice.
-    simple = (lower - upper).sum(axis=0) == 2 * (lowest - highest)
+    # One path that goes down once and up once crosses every row twice.
+    simple = real.all(axis=0) & ((lower - upper).sum(axis=0) == 2 * (lowest - highest))
     first = np.maximum(highest, top)
     rows = np.maximum(np.minimum(lowest - 1, bottom) - first + 1, 0).astype(np.int64)
     steps = np.stack([upper, lower - upper, down_from, dx], axis=-1)
