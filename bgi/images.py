@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from bgi.imagefile import png
 from bgi.palette import DEFAULTS
 
+_LAYOUTS = {2: (1, 1), 4: (1, 2), 16: (4, 1), 256: (1, 8)}
 _HEADER = struct.Struct("<HH")
 _TRAILER = b"\0\0"
 LARGEST = 1 << 26
@@ -23,7 +24,7 @@ LARGEST = 1 << 26
 
 def row_layout(colors: int) -> tuple[int, int]:
     """Planes of a row, and bits that a pixel takes in each."""
-    return {2: (1, 1), 4: (1, 2), 16: (4, 1), 256: (1, 8)}[colors]
+    return _LAYOUTS[colors]
 
 
 def byte_size(width: int, height: int, colors: int) -> int:
@@ -38,6 +39,21 @@ class Image:
 
     array: NDArray[np.uint8]
     colors: int = 16
+
+    def __post_init__(self) -> None:
+        """Refuse what is no image; ValueError or TypeError says why."""
+        array = np.asarray(self.array)
+        if array.dtype.kind not in "ui":
+            raise TypeError(f"an image's array must hold integers, not {array.dtype}")
+        if array.ndim != 2 or array.size == 0:
+            raise ValueError(f"an image's array must have shape (height, width), not {array.shape}")
+        if self.colors not in _LAYOUTS:
+            raise ValueError(
+                f"an image has one of {', '.join(map(str, _LAYOUTS))} colours, not {self.colors}"
+            )
+        if array.itemsize != 4 and (array.min() < 0 or array.max() >= self.colors):
+            raise ValueError(f"an image of {self.colors} colours holds 0..{self.colors - 1}")
+        object.__setattr__(self, "array", array if array.itemsize == 4 else array.astype(np.uint8))
 
     @property
     def width(self) -> int:
@@ -76,7 +92,10 @@ class Image:
 
         ValueError if the data end before the image does.
         """
-        block = bytes(data)
+        try:
+            block = bytes(memoryview(data))
+        except TypeError:
+            raise TypeError(f"an image must be bytes, not {type(data).__name__}") from None
         if len(block) < _HEADER.size:
             raise ValueError(f"an image needs a header of 4 bytes, not {len(block)} bytes")
         width, height = (side + 1 for side in _HEADER.unpack_from(block))

@@ -49,7 +49,10 @@ def _dac_200() -> list[RGB]:
 
 
 def _vga_256() -> list[RGB]:
-    """The PC's default 256 colours (VGA mode 13h): 16 colours, 16 greys, 216 hues, 8 blacks."""
+    """The PC's default 256 colours (VGA mode 13h): 16 colours, 16 greys, 216 hues, 8 blacks.
+
+    The last black gives way to white: it is the colour that a screen begins to draw in.
+    """
     greys = [0, 5, 8, 11, 14, 17, 20, 24, 28, 32, 36, 40, 45, 50, 56, 63]
     wheel = [(i, 0, 4) for i in range(5)] + [(4, 0, i) for i in (3, 2, 1, 0)]
     wheel += [(4, i, 0) for i in (1, 2, 3, 4)] + [(i, 4, 0) for i in (3, 2, 1, 0)]
@@ -67,7 +70,7 @@ def _vga_256() -> list[RGB]:
     ]
     six = [(g, g, g) for g in greys]
     six += [(ramp[r], ramp[g], ramp[b]) for ramp in ramps for r, g, b in wheel]
-    six += [(0, 0, 0)] * 8
+    six += [(0, 0, 0)] * 7 + [(63, 63, 63)]
     return SIXTEEN + [(six_bits(r), six_bits(g), six_bits(b)) for r, g, b in six]
 
 

@@ -14,7 +14,17 @@ calls closegraph() for all of them, whatever happens.
 from importlib import import_module
 from types import ModuleType
 
-NAMES = ("hello", "tour", "bounce", "surfaces")
+NAMES = (
+    "hello",
+    "tour",
+    "fills",
+    "fonts",
+    "palette",
+    "sprites",
+    "bounce",
+    "bgidemo",
+    "surfaces",
+)
 """The demos, in the order in which to learn from them."""
 
 

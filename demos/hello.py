@@ -6,7 +6,6 @@ What it shows: a program opens the screen, draws, and waits for a key. Where a n
 of numbers goes too: one call draws all the circles, each in its colour.
 """
 
-# ruff: noqa: F403, F405  (a star import is how graphics.h programs begin)
 from bgi import *
 
 MODE = (VGA, VGAHI)

@@ -37,10 +37,12 @@ from bgi import (
 from demos import NAMES, lesson, load, summary
 
 ENTER, ESC, UP, DOWN, HOME, END = 13, 27, 72, 80, 71, 79
-MARGIN, TOP, ROW = 16, 72, 76
+MARGIN, TOP = 16, 72
+ROW = min(42, 384 // len(NAMES))
 LIST_WIDTH = 264
 PREVIEW_LEFT, PREVIEW_WIDTH, PREVIEW_HEIGHT = 303, 320, 240
-KEYS = "↑ ↓ choose    Enter or a number start    Esc end"
+LABELS = "123456789abcdefghijklmnopqrstuvwxyz"
+KEYS = "↑ ↓ choose    Enter, or its key, start    Esc end"
 
 
 def choose(selected: int) -> int | None:
@@ -55,8 +57,8 @@ def choose(selected: int) -> int | None:
             return None
         if key == ENTER:
             return selected
-        if ord("1") <= key < ord("1") + len(NAMES):
-            return key - ord("1")
+        if 0 <= LABELS.find(chr(key)) < len(NAMES):
+            return LABELS.find(chr(key))
         if key == 0:  # an arrow: its second half follows
             moves = {UP: selected - 1, DOWN: selected + 1, HOME: 0, END: len(NAMES) - 1}
             selected = moves.get(getch(), selected) % len(NAMES)
@@ -79,25 +81,25 @@ def _draw(selected: int) -> None:
     rectangle(
         PREVIEW_LEFT - 1, TOP - 1, PREVIEW_LEFT + PREVIEW_WIDTH, TOP + PREVIEW_HEIGHT, DARKGRAY
     )
-    for number, text in enumerate(wrap(lesson(demo), PREVIEW_WIDTH // 8)):
-        _write(PREVIEW_LEFT, TOP + PREVIEW_HEIGHT + 16 + 12 * number, text, LIGHTGRAY)
+    texts = [(WHITE, text) for text in wrap(summary(demo), PREVIEW_WIDTH // 8)]
+    texts += [(LIGHTGRAY, text) for text in wrap(lesson(demo), PREVIEW_WIDTH // 8)]
+    for number, (color, text) in enumerate(texts):
+        _write(PREVIEW_LEFT, TOP + PREVIEW_HEIGHT + 14 + 12 * number, text, color)
     setfillstyle(SOLID_FILL, LIGHTGRAY)
     bar(0, getmaxy() - 19, getmaxx(), getmaxy())
     _write(MARGIN, getmaxy() - 13, KEYS, BLACK)
 
 
 def _entry(place: int, is_selected: bool) -> None:
-    """One line of the list: number, name and summary."""
+    """One line of the list: the key that starts the demo, and its name."""
     left, top = MARGIN, TOP + place * ROW
     if is_selected:
         setfillstyle(SOLID_FILL, BLUE)
-        bar(left, top, left + LIST_WIDTH - 1, top + ROW - 9)
-        rectangle(left, top, left + LIST_WIDTH - 1, top + ROW - 9, LIGHTCYAN)
-    _write(left + 12, top + 10, str(place + 1), YELLOW)
-    _write(left + 36, top + 10, NAMES[place], WHITE)
-    for number, text in enumerate(wrap(summary(load(NAMES[place])), 27)):
-        color = LIGHTCYAN if is_selected else LIGHTGRAY
-        _write(left + 36, top + 26 + 12 * number, text, color)
+        bar(left, top, left + LIST_WIDTH - 1, top + ROW - 7)
+        rectangle(left, top, left + LIST_WIDTH - 1, top + ROW - 7, LIGHTCYAN)
+    middle = top + ROW // 2 - 7
+    _write(left + 12, middle, LABELS[place], YELLOW)
+    _write(left + 36, middle, NAMES[place], WHITE if is_selected else LIGHTGRAY)
 
 
 def _write(x: int, y: int, text: str, color: int) -> None:
@@ -110,6 +112,7 @@ def _preview(demo: ModuleType) -> NDArray[np.uint8]:
     """A demo's picture at half its size; of four pixels the one with the highest colour stays."""
     cleardevice()
     demo.draw()
+    graphdefaults()  # the demo may have left a viewport
     height, width = PREVIEW_HEIGHT, PREVIEW_WIDTH
     y, x = np.indices((2 * height, 2 * width))
     pixels: NDArray[np.uint8] = getpixel(x, y)

@@ -13,6 +13,8 @@ import bgi
 from bgi import current
 from demos import NAMES, load, menu, summary
 from demos.__main__ import main as command
+from demos.pages import KEYS as KEYS_SHOWN
+from demos.pages import MARGIN, Page, leaf_through, show
 
 ROOT = Path(__file__).parents[1]
 
@@ -20,6 +22,11 @@ ROOT = Path(__file__).parents[1]
 KEYS = {
     "hello": "x",
     "tour": "Space Space Esc",
+    "fills": "Space Left Left " + "Space " * 7 + "Esc",
+    "fonts": "Space " * 16 + "PgUp Esc",
+    "palette": "Right Right Right Left Left Esc",
+    "sprites": "Space Space Left Esc",
+    "bgidemo": "Space " * 25 + "Esc",
     "bounce": "Space Space Esc",
     "surfaces": "1 w 2 m 3 f 4 Left Up Space Right Space Esc",
 }
@@ -38,7 +45,7 @@ def name_of(demo):
 class TestEveryDemo:
     def test_is_in_the_gallery(self):
         files = {file.stem for file in (ROOT / "demos").glob("*.py")}
-        assert files - {"__init__", "__main__", "menu"} == set(NAMES)
+        assert files - {"__init__", "__main__", "menu", "pages"} == set(NAMES)
 
     def test_has_a_plan_of_keys(self):
         assert set(KEYS) == set(NAMES)
@@ -84,7 +91,7 @@ class TestMenu:
             ("End Down Enter", 0),
             ("Down Home Enter", 0),
             ("2", 1),
-            ("q 9 F1 Enter", 0),
+            ("Q 0 F1 Enter", 0),
             ("Down Esc", None),
         ],
     )
@@ -211,3 +218,69 @@ class TestReadme:
         script = (ROOT / ".ci" / "run").read_text("utf-8").splitlines()
         for part in command.split(" && "):
             assert part in script
+
+
+class TestPages:
+    """Demos of several pages: fonts, fills, palette, sprites and bgidemo."""
+
+    @pytest.fixture(params=["fills", "fonts", "palette", "sprites", "bgidemo"])
+    def paged(self, request):
+        return load(request.param)
+
+    def test_every_page_draws_without_an_error(self, paged):
+        for place, page in enumerate(paged.PAGES):
+            bgi.initgraph(*page.mode)
+            show(paged.PAGES, place)
+            assert bgi.graphresult() == bgi.grOk, page.title
+            assert len(np.unique(current.screen.page.array)) >= 2, page.title
+
+    def test_every_page_can_go_on_for_a_while(self, paged):
+        moving = [place for place, page in enumerate(paged.PAGES) if page.move]
+        for place in moving:
+            page = paged.PAGES[place]
+            bgi.initgraph(*page.mode)
+            show(paged.PAGES, place)
+            for _ in range(5):
+                page.move()
+            assert bgi.graphresult() == bgi.grOk, page.title
+
+    def test_the_title_fits_beside_the_keys(self, paged):
+        for place, page in enumerate(paged.PAGES):
+            bgi.initgraph(*page.mode)
+            keys = f"{place + 1}/{len(paged.PAGES)}  {KEYS_SHOWN}"
+            room = bgi.getmaxx() + 1 - 2 * MARGIN - bgi.textwidth(keys)
+            assert bgi.textwidth(page.title + " ") <= room, page.title
+
+    def test_keys_turn_the_pages(self, monkeypatch):
+        drawn = []
+        pages = [Page(str(n), lambda n=n: drawn.append(n)) for n in range(3)]
+        monkeypatch.setenv("BGI_KEYS", "Space Right x Left PgUp Down Esc")
+        leaf_through(pages)
+        assert drawn == [0, 1, 2, 0, 2, 1, 2]
+
+    def test_a_moving_page_moves_until_a_key_comes(self, monkeypatch):
+        moves = []
+        monkeypatch.setenv("BGI_KEYS", "Esc")
+        leaf_through([Page("", lambda: None, lambda: moves.append(1), 30)])
+        assert moves == [1]
+
+    def test_palette_moves_colours_and_no_pixel(self):
+        palette = load("palette")
+        for place, page in enumerate(palette.PAGES):
+            bgi.initgraph(*page.mode)
+            show(palette.PAGES, place)
+            pixels, looks = current.screen.page.array.copy(), current.screen.card.palette.copy()
+            page.move()
+            assert (current.screen.page.array == pixels).all()
+            assert (current.screen.card.palette != looks).any()
+
+    def test_saucers_leave_the_town_as_it_was(self):
+        sprites = load("sprites")
+        bgi.initgraph(*sprites.MODE)
+        show(sprites.PAGES, 1)
+        sprites.SAUCERS.put()
+        town = current.screen.page.array.copy()
+        sprites.SAUCERS.put()
+        assert (current.screen.page.array != town).any()
+        sprites.SAUCERS.put()
+        assert (current.screen.page.array == town).all()

@@ -157,6 +157,28 @@ def test_notebooks_show_screens_and_images(vga, tmp_path):
         assert (read_indices(tmp_path / name) == expected).all()
 
 
+@pytest.mark.parametrize(
+    "array, colors",
+    [
+        ([[1.5]], 16),
+        (np.zeros(5, np.uint8), 16),
+        (np.zeros((0, 3), np.uint8), 16),
+        ([[300]], 16),
+        ([[-1]], 16),
+        ([[1]], 17),
+        ("ab", 16),
+    ],
+)
+def test_what_is_no_image(array, colors):
+    with pytest.raises((TypeError, ValueError), match="image"):
+        Image(array, colors)
+
+
+def test_an_image_of_a_list(vga):
+    vga.putimage(0, 0, Image([[1, 2], [3, 4]]), bgi.COPY_PUT)
+    assert vga.page.array[:2, :2].tolist() == [[1, 2], [3, 4]]
+
+
 def test_wrong_images(vga):
     for wrong in (None, 5, "abc"):
         with pytest.raises((TypeError, ValueError)):

@@ -116,6 +116,7 @@ def test_cga_in_two_colours_colours_the_foreground():
 def test_ibm8514():
     bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
     assert bgi.getpalette().size == 256
+    assert (bgi.getcolor(), look(255)) == (255, (255, 255, 255))
     assert [look(i) for i in (1, 6, 15)] == [(0, 0, 170), (170, 85, 0), (255, 255, 255)]
     assert (look(16), look(31), look(32), look(40)) == (
         (0, 0, 0),

@@ -143,7 +143,8 @@ def getmoderange(driver: Number) -> tuple[int, int]:
 def graphdefaults() -> None:
     """Put colours, styles, palette, viewport and current position back to their defaults.
 
-    Clears nothing; pages, aspect ratio and arc coordinates stay. Source: graphics.h.
+    Clears nothing; pages, aspect ratio, arc coordinates and the registers of the VGA's DAC, which
+    setrgbpalette() loads, stay. Source: graphics.h.
     """
     current.screen.graphdefaults()
 
