@@ -87,10 +87,7 @@ class Lines(Screen):
             and color is None
         ):
             dx, dy = self._dx, self._dy
-            if self._plain:
-                self.page.line(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self.settings.color)
-            else:
-                self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self.settings.color)
+            self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self.settings.color)
         elif any(is_array(value) for value in (x1, y1, x2, y2, color)):
             shade = self.settings.color if color is None else color
             ends = broadcast(x1=x1, y1=y1, x2=x2, y2=y2, color=shade)
@@ -102,6 +99,9 @@ class Lines(Screen):
 
     def _segment(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """One line between absolute points, in line style, width and write mode."""
+        if self._plain:
+            self.page.line(x1, y1, x2, y2, color)
+            return
         for strand in lines.strands(x1, y1, x2, y2) if self._thick else [(x1, y1, x2, y2)]:
             if self._solid:
                 self.page.line(*strand, color)

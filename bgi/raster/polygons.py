@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from bgi.raster.lines import Ints, Segment, Segments, batches, toward_zero
 
 Point = tuple[int, int]
-Rows = tuple[list[int], list[int], list[int]]
+Rows = tuple[Sequence[int], Sequence[int], Sequence[int]]
 """y and both ends of rows to fill, the ends in any order."""
 
 _ROWS = 1 << 14
@@ -62,8 +62,8 @@ def edges(points: Sequence[Point]) -> list[Segment]:
 
 def scan(sides: Sequence[Segment], top: int, bottom: int) -> Rows:
     """The rows that fill one polygon given by its sides, as far as top..bottom show them."""
-    top = max(top, min((min(y1, y2) for _, y1, _, y2 in sides), default=0))
-    bottom = min(bottom, max((max(y1, y2) for _, y1, _, y2 in sides), default=0) - 1)
+    ends = [side[1] for side in sides] + [side[3] for side in sides]
+    top, bottom = max(top, min(ends, default=0)), min(bottom, max(ends, default=0) - 1)
     height = max(0, bottom + 1 - top)
     down, up = [0] * height, [0] * height
     found: list[tuple[int, list[int]]] = []
@@ -88,7 +88,7 @@ def scan(sides: Sequence[Segment], top: int, bottom: int) -> Rows:
             rows_up += last - first
     ring = all(a[2:] == b[:2] for a, b in pairwise([*sides, *sides[:1]]))
     if ring and rows_down == rows_up == height:  # every row is crossed once down, once up
-        return list(range(top, bottom + 1)), down, up
+        return range(top, bottom + 1), down, up
     return _paired(found, top, height)
 
 
