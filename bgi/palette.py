@@ -12,6 +12,8 @@ value into red, green and blue:
 * 8514/A: 256 entries, each loaded straight with RGB.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -174,17 +176,19 @@ class Palette:
             self.values[0] = color
         self._show()
 
-    def set_rgb(self, register: int, red: int, green: int, blue: int) -> bool:
-        """Load a DAC register; False, and nothing changes, where the adapter has none.
+    def set_rgb(self, registers: Sequence[int], colors: Sequence[RGB]) -> bool:
+        """Load DAC registers; False where the adapter has none of that number, which is left out.
 
         VGA components are 0..63; the 8514's are 0..255, of which the upper six bits count.
         """
-        if not self._has_dac or not 0 <= register <= 255:
-            return False
         shift = 2 if self.kind == "IBM8514" else 0
-        rgb = (six_bits(red >> shift), six_bits(green >> shift), six_bits(blue >> shift))
-        self._dac[register] = rgb
-        for index, value in enumerate(self.values):
-            if value == register:
-                self._shown[index] = rgb
-        return True
+        known = 256 if self._has_dac else 0
+        for register, (red, green, blue) in zip(registers, colors, strict=True):
+            if 0 <= register < known:
+                self._dac[register] = (
+                    six_bits(red >> shift),
+                    six_bits(green >> shift),
+                    six_bits(blue >> shift),
+                )
+        self._show()
+        return all(0 <= register < known for register in registers)

@@ -24,6 +24,11 @@ NAMES = (
     "bounce",
     "bgidemo",
     "surfaces",
+    "paper",
+    "waterfall",
+    "parametric",
+    "turn",
+    "explore",
 )
 """The demos, in the order in which to learn from them."""
 

@@ -2,12 +2,12 @@
 
     python -m demos surfaces
 
-What it shows: ``surfaces.surface`` draws z = f(x, y) with lines and filled polygons only.  A turn
+What it shows: ``surfaces.surface`` draws z = f(x, y) with pixels only, 40,000 cells of it.  A turn
 is one matrix, made anew for each picture from two angles.  Each picture is drawn on the page that
 is not shown, and ``swapbuffers`` then shows it whole: that is why nothing flickers.
 
-    1 2 3 4   the four functions of the paper      w m f   wire, mesh, filled
-    arrows    turn                                 space   start and stop
+    1 2 3 4   the four functions of the paper      w m f b   wire, mesh, filled, both
+    arrows    turn                                 space     start and stop
     Esc       end
 """
 
@@ -21,6 +21,7 @@ from bgi import (
     YELLOW,
     cleardevice,
     getch,
+    getmaxcolor,
     getmaxy,
     initgraph,
     kbhit,
@@ -34,8 +35,8 @@ MODE = (IBM8514, IBM8514LO)
 ESC, SPACE = 27, ord(" ")
 # The second half of an arrow key -> how far it turns (about z, about y), in degrees.
 ARROWS = {75: (-5, 0), 77: (5, 0), 72: (0, 5), 80: (0, -5)}
-MODES = {ord("w"): "wire", ord("m"): "mesh", ord("f"): "fill"}
-HELP = "1-4 function  w m f style  arrows turn  space spin  Esc end"
+MODES = {ord("w"): "wire", ord("m"): "mesh", ord("f"): "fill", ord("b"): "fill+mesh"}
+HELP = "1-4 function  w m f b style  arrows turn  space spin  Esc end"
 
 
 @dataclass
@@ -69,9 +70,17 @@ class Scene:
         figure = FIGURES[self.figure]
         turn = compose(rotation("z", self.spin * pi / 180), rotation("y", self.tilt * pi / 180))
         cleardevice()
-        n = 2 * figure.n if self.mode == "fill" else figure.n
         setcolor(YELLOW)
-        surface(figure.f, figure.x, figure.y, n, self.mode, transform=turn, zfrac=figure.zfrac)
+        surface(
+            figure.f,
+            figure.x,
+            figure.y,
+            n=200,
+            mode=self.mode,
+            transform=turn,
+            zfrac=figure.zfrac,
+            dither=getmaxcolor() < 255,
+        )
         setcolor(WHITE)
         outtextxy(8, 8, f"z = {figure.name}   {self.mode}")
         outtextxy(8, getmaxy() - 15, HELP)

@@ -7,14 +7,21 @@ After "A Very Simple Approach for 3-D to 2-D Mapping" by Dey, Abraham and Sanyal
     import surfaces
 
     initgraph(IBM8514, IBM8514LO)
-    surfaces.surface(lambda x, y: sin(x * x + y * y), x=(-2.5, 2.5), y=(-2.5, 2.5), n=60)
+    surfaces.surface(lambda x, y: sin(x * x + y * y), x=(-2.5, 2.5), y=(-2.5, 2.5))
     getch()
     closegraph()
 """
 
+from surfaces.colours import RAMPS, Ramp
 from surfaces.functions import FIGURES, Figure
-from surfaces.mapping import Mapping
-from surfaces.plot import surface
+from surfaces.grid import Grid, data, sample
+from surfaces.mapping import Axonometry, Mapping, Projection
+from surfaces.modes import MODES
+from surfaces.pen import Pen, System
+from surfaces.plot import Plot, parametric, surface
+from surfaces.projections import PROJECTIONS, orthographic
+from surfaces.svg import Svg
+from surfaces.text import Text
 from surfaces.transforms import (
     affine,
     apply,
@@ -28,14 +35,30 @@ from surfaces.transforms import (
 
 __all__ = [
     "FIGURES",
+    "MODES",
+    "PROJECTIONS",
+    "RAMPS",
+    "Axonometry",
     "Figure",
+    "Grid",
     "Mapping",
+    "Pen",
+    "Plot",
+    "Projection",
+    "Ramp",
+    "Svg",
+    "System",
+    "Text",
     "affine",
     "apply",
     "compose",
+    "data",
+    "orthographic",
+    "parametric",
     "power",
     "powers",
     "rotation",
+    "sample",
     "scaling",
     "surface",
     "translation",

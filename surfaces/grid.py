@@ -1,34 +1,30 @@
-"""A function as a grid of points: sampled, repaired where a point is missing, fitted to the screen.
+"""A surface as a grid of points: a function sampled, or data given; missing points repaired.
 
 sin(x+y)/(x+y) has no value where x+y = 0, yet the surface has no hole there.  ``sample`` looks
 beside such a node: if the neighbourhood agrees on a value, the node gets it.  Where it does not
 agree, as along the cliff of 1/(x+y), the hole is real and the node stays NaN.
 
-``fit`` is the "proper scaling" of the paper's figures.  x may run over 20 units and z over one, so
-it first puts the surface into a box of pleasing shape, -1 to 1 along x and y, and then chooses how
-many pixels a unit of that box gets.
+With a range of heights stated, what exceeds it is cut off at its ends, infinities too.  A cell that
+leads from one end straight to the other is a pole, not a wall: it becomes a hole.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, sin
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from surfaces.mapping import Mapping
-from surfaces.transforms import FloatArray, compose, scaling, translation
+from surfaces.transforms import FloatArray
 
 Function = Callable[[Any, Any], Any]
 Interval = tuple[float, float]
+Axis = Interval | Sequence[float] | FloatArray
 
 # Where to look beside a node, in units of the domain's width and depth: once in every quadrant, off
 # the diagonals, and at four distances, so that 1/x**2 and log(x**2) are seen to grow.
 BESIDE = 1e-6 * np.array(((1.0, 1.37), (1.7, -2.3), (-2.6, 3.5), (-3.9, -5.3)))
 AGREEMENT = 1e-3
-
-# What stays free around the picture, as a part of the shorter side: 24 pixels of 480.
-MARGIN = 0.05
 
 
 @dataclass(frozen=True)
@@ -38,6 +34,8 @@ class Grid:
     x: FloatArray
     y: FloatArray
     z: FloatArray
+    limits: Interval | None = None
+    """The range that the heights were cut to, if any."""
 
     @property
     def points(self) -> FloatArray:
@@ -52,30 +50,114 @@ class Grid:
         high = np.array((self.x[-1], self.y[-1], np.nanmax(self.z)))
         return low, high
 
+    @property
+    def whole(self) -> NDArray[np.bool_]:
+        """Which cells, (nx, ny), are part of the surface: the others are holes."""
+        whole = _all_corners(np.isfinite(self.z))
+        if self.limits is not None:
+            low, high = (~_all_corners(self.z != limit) for limit in self.limits)
+            whole &= ~(low & high)
+        return whole
 
-def sample(f: Function, x: Interval, y: Interval, n: int | tuple[int, int] = 50) -> Grid:
+    def lines(self, every: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Every so many nodes of x and of y, where a mesh has its lines; always the last."""
+        return some(len(self.x), every), some(len(self.y), every)
+
+    def thinned(self, every: int) -> "Grid":
+        """The same surface with every so many nodes of each axis, and always the last."""
+        i, j = self.lines(every)
+        return Grid(self.x[i], self.y[j], self.z[np.ix_(i, j)], self.limits)
+
+
+def _all_corners(nodes: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which cells have all four corners among these nodes."""
+    sides = nodes[:-1] & nodes[1:]
+    return np.asarray(sides[:, :-1] & sides[:, 1:])
+
+
+def some(count: int, every: int) -> NDArray[np.int64]:
+    """Every so many of the numbers below count, and always the last."""
+    return np.unique(np.append(np.arange(0, count, every), count - 1))
+
+
+def sample(
+    f: Function,
+    x: Axis | None,
+    y: Axis | None,
+    n: int | tuple[int, int] = 50,
+    z: Interval | None = None,
+) -> Grid:
     """Evaluate f(x, y) on a grid of n by n cells, or nx by ny for n = (nx, ny).
 
     f is called once with two arrays of nx+1 by ny+1 numbers; a function that cannot take arrays is
-    called point by point instead.  Infinities and points without a value become NaN.
+    called point by point instead.  Points without a value become NaN, and so do infinities, unless
+    z = (low, high) says where to cut heights off.
     ValueError unless a < b in x = (a, b) and y = (c, d), n is 1 or more, and f is finite somewhere.
     """
     nx, ny = n if isinstance(n, tuple) else (n, n)
     if nx < 1 or ny < 1:
         raise ValueError(f"n must be at least 1 in each direction, not {n!r}")
-    xs, ys = _nodes("x", x, nx), _nodes("y", y, ny)
+    limits = None if z is None else _interval("z", z)
+    xs = np.linspace(*_interval("x", x), nx + 1)
+    ys = np.linspace(*_interval("y", y), ny + 1)
     across, along = np.meshgrid(xs, ys, indexing="ij")
-    z = evaluate(f, across, along)
-    missing = np.isnan(z)
+    values = evaluate(f, across, along)
+    missing = ~np.isfinite(values)
+    if not missing.any() and limits is None:
+        return Grid(xs, ys, values)
     if missing.any():
-        z[missing] = _beside(f, across[missing], along[missing], xs[-1] - xs[0], ys[-1] - ys[0])
-        if np.isnan(z).all():
-            raise ValueError(f"f has no finite value on x = {x!r}, y = {y!r}")
-    return Grid(xs, ys, z)
+        width, depth = xs[-1] - xs[0], ys[-1] - ys[0]
+        found = _beside(f, across[missing], along[missing], width, depth)
+        values = values.copy()
+        values[missing] = np.where(np.isnan(found), values[missing], found)
+    values = _cut(values, limits)
+    if np.isnan(values).all():
+        raise ValueError(f"f has no finite value on x = {x!r}, y = {y!r}")
+    return Grid(xs, ys, values, limits)
+
+
+def data(
+    values: Any, x: Axis | None = None, y: Axis | None = None, z: Interval | None = None
+) -> Grid:
+    """A grid from heights that are known: values[i, j] at x[i], y[j].
+
+    x and y are (a, b) for even steps from a to b, or as many numbers as there are, in even or
+    uneven steps, ascending or descending; None counts from 0.  z = (low, high) cuts heights off;
+    without it infinities count as missing.
+    ValueError if the shapes do not match, an axis turns back, or nothing is finite.
+    """
+    heights = _real(values)
+    if heights.ndim != 2 or min(heights.shape) < 2:
+        raise ValueError(f"f must be a function or 2 x 2 numbers or more, not {heights.shape}")
+    limits = None if z is None else _interval("z", z)
+    xs, ys = _axis("x", x, heights.shape[0]), _axis("y", y, heights.shape[1])
+    heights = heights[:: 1 if xs[0] < xs[-1] else -1, :: 1 if ys[0] < ys[-1] else -1]
+    heights = _cut(heights, limits)
+    if np.isnan(heights).all():
+        raise ValueError("the data have no finite value")
+    return Grid(np.sort(xs), np.sort(ys), heights, limits)
+
+
+def _axis(name: str, axis: Axis | None, count: int) -> FloatArray:
+    if axis is None:
+        return np.arange(count, dtype=np.float64)
+    nodes = np.asarray(axis, dtype=np.float64)
+    if nodes.shape == (2,) and np.isfinite(nodes).all():
+        nodes = np.linspace(nodes[0], nodes[1], count)
+    steps = np.diff(nodes)
+    even_sign = nodes.shape == (count,) and ((steps > 0).all() or (steps < 0).all())
+    if not even_sign or not np.isfinite(nodes).all():
+        raise ValueError(f"{name} must be (a, b) or {count} rising or falling numbers")
+    return nodes
+
+
+def _cut(z: FloatArray, limits: Interval | None) -> FloatArray:
+    """Heights within the limits; without limits, infinities become NaN."""
+    return np.where(np.isinf(z), np.nan, z) if limits is None else np.clip(z, *limits)
 
 
 def evaluate(f: Function, x: FloatArray, y: FloatArray) -> FloatArray:
-    """f at every point of two arrays of one shape; NaN where it is infinite or undefined."""
+    """f at every point of two arrays of one shape, NaN where it has no value."""
     with np.errstate(all="ignore"):
         try:
             z = _real(f(x, y))
@@ -84,7 +166,7 @@ def evaluate(f: Function, x: FloatArray, y: FloatArray) -> FloatArray:
             whole = False
         if not whole:
             z = np.vectorize(_or_nan(f), otypes=[np.float64])(x, y)
-    return np.where(np.isfinite(z), z, np.nan)
+    return z
 
 
 def _real(values: Any) -> FloatArray:
@@ -108,68 +190,19 @@ def _or_nan(f: Function) -> Callable[[float, float], float]:
 def _beside(f: Function, x: FloatArray, y: FloatArray, width: float, depth: float) -> FloatArray:
     """The value that f has all around each of these points, or NaN where there is no such value."""
     dx, dy = BESIDE[:, :1] * width, BESIDE[:, 1:] * depth
-    around = evaluate(f, x + dx, y + dy)
     with np.errstate(all="ignore"):
+        around = evaluate(f, x + dx, y + dy)
         value = around.mean(axis=0)
         agreed = np.ptp(around, axis=0) < AGREEMENT * (1 + np.abs(value))
     return np.where(agreed, value, np.nan)
 
 
-def _nodes(name: str, interval: Interval, n: int) -> FloatArray:
-    a, b = interval
-    if not -np.inf < a < b < np.inf:
+def _interval(name: str, interval: Any) -> Interval:
+    try:
+        a, b = interval
+        ordered = -np.inf < a < b < np.inf
+    except (TypeError, ValueError):
+        ordered = False
+    if not ordered:
         raise ValueError(f"{name} must be (a, b) with finite a < b, not {interval!r}")
-    return np.linspace(a, b, n + 1)
-
-
-def fit(
-    box: tuple[FloatArray, FloatArray],
-    width: int,
-    height: int,
-    *,
-    theta: float = pi / 4,
-    rho_z: float = 1.0,
-    zfrac: float = 0.3,
-    aspect: float = 1.0,
-    turning: bool = False,
-) -> tuple[FloatArray, Mapping]:
-    """Scale a box to fill a screen of width x height pixels, its centre in the middle.
-
-    Returns a transform and a mapping.  The transform puts the box around (0, 0, 0), with x and y
-    from -1 to 1 and z so high that it takes the part ``zfrac`` of the height; turn the surface
-    there, and its shape is kept.  The mapping brings that to the screen.  ``aspect`` is the width
-    of a pixel divided by its height.  With ``turning`` the picture is small enough to stay on the
-    screen however it is turned.
-
-    ValueError if theta, rho_z or zfrac is outside its range.
-    """
-    Mapping(theta, rho_z)  # for its checks: below, other numbers take their place
-    if not 0.0 < zfrac < 1.0:
-        raise ValueError(f"zfrac must be between 0 and 1, not {zfrac!r}")
-    s, c = sin(theta), cos(theta)
-    # From the centre of the first pixel to that of the last, in widths of a pixel.
-    across, down = width - 1, (height - 1) / aspect
-    margin = MARGIN * min(width, height)
-    wide, high = across - 2 * margin, down - 2 * margin / aspect
-    side, tall = min(wide / (1 + s), high * (1 - zfrac) / c), high * zfrac
-    unit = side / 2
-    if turning:
-        # The ball around the box, as seen; a corner comes near the screen's edge only in passing.
-        ball = hypot(side, side, tall)
-        unit *= min(1.0, across / (ball * hypot(1, s)), down / (ball * hypot(c, rho_z)))
-    lowest, highest = box
-    extent = highest - lowest
-    extent[extent == 0] = 1.0  # a flat surface stays flat
-    normal = compose(
-        translation(*-(lowest / 2 + highest / 2)),
-        scaling(*np.array((2, 2, 2 * tall / side)) / extent),
-    )
-    # Pixels that are higher than wide: fewer of them go into a height, so x leans more.
-    lean = hypot(s, aspect * c)
-    mapping = Mapping(
-        theta=atan2(s, aspect * c),
-        rho_z=rho_z,
-        origin=((width - 1) / 2, (height - 1) / 2),
-        scale=(unit * lean, unit, unit * aspect),
-    )
-    return normal, mapping
+    return a, b

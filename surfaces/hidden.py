@@ -9,14 +9,39 @@ It stays true when the surface is turned, reflected or sheared by T: turn the di
 back by the inverse of T, and ask where the eye lies as seen from the surface.
 """
 
+from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfaces.mapping import Projection
 from surfaces.transforms import FloatArray
 
 Item = TypeVar("Item", bound=np.generic)
+
+
+@dataclass(frozen=True)
+class View:
+    """How a surface is seen: all that its hidden parts depend on."""
+
+    screen: FloatArray
+    """4x4: from (x, y, z, 1) on the surface to (x', y', z) on the screen."""
+    eye: FloatArray
+    """The direction of the eye, as seen from the surface."""
+
+    @property
+    def back(self) -> FloatArray:
+        """4x4: from (x', y', z) on the screen to the surface, the paper's (14)."""
+        return np.asarray(np.linalg.inv(self.screen), dtype=np.float64)
+
+    @classmethod
+    def of(cls, T: FloatArray, mapping: Projection) -> "View":
+        """The view of a surface that is first transformed, then mapped.
+
+        ValueError if T flattens space: then there is no way back.
+        """
+        return cls(T @ mapping.M4, eye_from_surface(mapping.eye, T))
 
 
 def eye_from_surface(eye: FloatArray, T: FloatArray) -> FloatArray:

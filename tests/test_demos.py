@@ -29,6 +29,11 @@ KEYS = {
     "bgidemo": "Space " * 25 + "Esc",
     "bounce": "Space Space Esc",
     "surfaces": "1 w 2 m 3 f 4 Left Up Space Right Space Esc",
+    "paper": "x",
+    "waterfall": "Space m Space Esc",
+    "parametric": "1 2 m 3 4 Space Esc",
+    "turn": "Space Space Esc",
+    "explore": "Enter x * y Enter Left + Tab Enter ( Enter Esc Esc",
 }
 
 

@@ -83,6 +83,15 @@ def test_setrgbpalette_loads_registers_not_colours():
     assert bgi.graphresult() == bgi.grError
 
 
+def test_setrgbpalette_takes_arrays():
+    bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
+    bgi.setrgbpalette(range(100, 103), [0, 252, 4], 0, 128)
+    assert [look(i) for i in (100, 101, 102)] == [(0, 0, 130), (255, 0, 130), (4, 0, 130)]
+    bgi.setrgbpalette([1, 300], 252, 252, 252)
+    assert bgi.graphresult() == bgi.grError
+    assert look(1) == (255, 255, 255)
+
+
 def test_no_dac_on_the_ega():
     bgi.initgraph(bgi.EGA, bgi.EGAHI)
     bgi.setrgbpalette(1, 63, 63, 63)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from bgi import current
-from bgi.arguments import Number
+from bgi.arguments import Number, Numbers
 from bgi.settings import palettetype, viewporttype
 
 
@@ -211,14 +211,15 @@ def getdefaultpalette() -> palettetype:
     return current.screen.getdefaultpalette()
 
 
-def setrgbpalette(index: Number, red: Number, green: Number, blue: Number) -> None:
-    """Mix a colour of your own on the VGA or the 8514.
+def setrgbpalette(index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -> None:
+    """Mix colours of your own on the VGA or the 8514.
 
     Args:
         index: on the VGA a *register* 0..255: colour i shows register getpalette().colors[i],
             which is 20 for BROWN and 56..63 for DARKGRAY..WHITE; on the 8514 the colour itself.
         red, green, blue: 0..63 on the VGA, 0..255 (upper six bits) on the 8514.
 
-    graphresult() says -11, and nothing changes, on other adapters. Source: graphics.h.
+    Arrays mix many. graphresult() says -11, and nothing changes, on other adapters. Source:
+    graphics.h.
     """
     current.screen.setrgbpalette(index, red, green, blue)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from bgi import rgb
-from bgi.arguments import Number, whole
+from bgi.arguments import Number, Numbers, broadcast, whole
 from bgi.card import Card
 from bgi.constants import (
     EMPTY_FILL,
@@ -217,10 +217,12 @@ class Screen:
         """The hardware colours of the palette."""
         return palettetype(self.palette.size, self.palette.values[: self.palette.size])
 
-    def setrgbpalette(self, index: Number, red: Number, green: Number, blue: Number) -> None:
-        """Load a register of the VGA's DAC, or an entry of the 8514's palette; else -11."""
-        rgb = whole("red", red), whole("green", green), whole("blue", blue)
-        if not self.palette.set_rgb(whole("index", index), *rgb):
+    def setrgbpalette(self, index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -> None:
+        """Load registers of the VGA's DAC, or entries of the 8514's palette; else -11."""
+        numbers = broadcast(index=index, red=red, green=green, blue=blue)
+        registers, *components = (array.tolist() for array in numbers)
+        colors = list(zip(*components, strict=True))
+        if not self.palette.set_rgb(registers, colors):
             result.set(grError)
 
     # Styles

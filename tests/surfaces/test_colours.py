@@ -60,8 +60,8 @@ def test_dithering_mixes_two_bands_in_proportion() -> None:
     assert half.tolist() == [[0, 1, 0, 1], [1, 0, 1, 0]] * 2 or half.mean() == 0.5
 
 
-def test_a_missing_value_is_harmless() -> None:
-    value = np.array((np.nan, 1.0, -5.0, 7.0))
+def test_values_beyond_the_ramp_get_its_ends() -> None:
+    value = np.array((-0.1, 1.0, -5.0, 7.0))
     place = np.arange(4)
     shades = palette(16, "rainbow", "dusk", False).shade(value, place, place)
     assert shades.tolist() == [1, 4, 1, 4]

@@ -1,0 +1,142 @@
+"""Paint with the mouse.
+
+    python -m demos paint
+
+What it shows: the mouse driver's functions in `bgi.mouse`. A loop asks where the mouse is and which
+buttons it holds, and joins the places by lines. The pointer is no part of the picture: it need not
+be hidden while something is drawn. + and - change the brush, c clears, Esc ends.
+"""
+
+import numpy as np
+
+from bgi import (
+    BLACK,
+    DARKGRAY,
+    LIGHTGRAY,
+    SOLID_FILL,
+    VGA,
+    VGAHI,
+    WHITE,
+    bar,
+    delay,
+    fillellipse,
+    getch,
+    initgraph,
+    kbhit,
+    line,
+    mouse,
+    outtextxy,
+    rectangle,
+    setcolor,
+    setfillstyle,
+    setviewport,
+)
+
+MODE = (VGA, VGAHI)
+ESC = 27
+BAR = 40  # rows of the palette, above the canvas
+BOX = 28  # pixels of a colour's box, across and down
+LARGEST = 24
+
+
+class Brush:
+    """What the mouse paints with, and where it has been."""
+
+    def __init__(self) -> None:
+        self.color = WHITE
+        self.size = 3
+        self.last: tuple[int, int] | None = None
+
+    def stroke(self, x: int, y: int, color: int) -> None:
+        """Paint from the last place to this one, below the palette."""
+        setviewport(0, BAR, 639, 479, 1)
+        setcolor(color)
+        setfillstyle(SOLID_FILL, color)
+        from_x, from_y = self.last or (x, y)
+        steps = max(abs(x - from_x), abs(y - from_y)) // max(self.size // 2, 1) + 1
+        across = np.linspace(from_x, x, steps + 1)
+        down = np.linspace(from_y, y, steps + 1) - BAR
+        if self.size > 1:
+            for spot in zip(across, down, strict=True):
+                fillellipse(*spot, self.size // 2, self.size // 2)
+        else:
+            line(across[0], down[0], across[-1], down[-1], color)
+        setviewport(0, 0, 639, 479, 1)
+        self.last = x, y
+
+
+def palette(brush: Brush) -> None:
+    """Sixteen boxes, the chosen one framed, and the brush."""
+    setfillstyle(SOLID_FILL, LIGHTGRAY)
+    bar(0, 0, 639, BAR - 1)
+    for color in range(16):
+        left = 6 + (BOX + 2) * color
+        setfillstyle(SOLID_FILL, color)
+        bar(left, 6, left + BOX - 1, 5 + BOX)
+        setcolor(WHITE if color == brush.color else DARKGRAY)
+        rectangle(left - 2, 4, left + BOX + 1, 7 + BOX)
+    setcolor(BLACK)
+    outtextxy(500, 8, f"brush {brush.size}")
+    outtextxy(500, 24, "+ - c Esc")
+    setfillstyle(SOLID_FILL, brush.color)
+    setcolor(brush.color)
+    fillellipse(612, 20, brush.size // 2, brush.size // 2)
+
+
+def choose(brush: Brush, x: int) -> None:
+    """Take the colour at x of the palette."""
+    color = (x - 6) // (BOX + 2)
+    if 0 <= color < 16:
+        brush.color = color
+        palette(brush)
+
+
+def follow(brush: Brush) -> None:
+    """Do what the mouse says: left paints and chooses, right rubs out."""
+    x, y = mouse.position()
+    held = mouse.buttons()
+    if not held:
+        brush.last = None
+    elif y < BAR and brush.last is None:
+        choose(brush, x)
+    else:
+        brush.stroke(x, y, brush.color if held & 1 else BLACK)
+
+
+def obey(brush: Brush, key: str) -> None:
+    """Do what a key says."""
+    if key == "c":
+        setfillstyle(SOLID_FILL, BLACK)
+        bar(0, BAR, 639, 479)
+    elif key in "+-":
+        brush.size = min(max(brush.size + (2 if key == "+" else -2), 1), LARGEST)
+        palette(brush)
+
+
+def draw() -> None:
+    """A spiral in all colours, painted as the mouse would."""
+    brush = Brush()
+    for turn in np.linspace(0, 8 * np.pi, 400):
+        brush.color = 1 + int(turn * 15 / (8 * np.pi)) % 15
+        brush.size = 3 + 2 * int(turn / 3)
+        radius = 7 * turn
+        x, y = 320 + radius * np.cos(turn) * 1.5, 260 + radius * np.sin(turn)
+        brush.stroke(int(x), int(y), brush.color)
+    palette(brush)
+
+
+def main() -> None:
+    """Paint until Esc comes."""
+    initgraph(*MODE)
+    brush = Brush()
+    palette(brush)
+    mouse.reset()
+    mouse.show()
+    code = 0
+    while code != ESC:
+        while not kbhit():
+            follow(brush)
+            delay(5)
+        code = getch()
+        obey(brush, chr(code))
+    mouse.reset()

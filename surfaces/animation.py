@@ -1,0 +1,61 @@
+"""A turn as a GIF: pictures go in one after another, a file that moves comes out.
+
+Pillow writes it; it comes with `pip install pybgi[record]`. A bar on the terminal tells how far
+the drawing has come.
+"""
+
+import importlib.util
+import sys
+from collections.abc import Iterator, Sequence
+from os import PathLike
+from typing import TextIO, TypeVar
+
+T = TypeVar("T")
+
+WIDTH = 40
+"""The bar's length in characters."""
+
+
+class PillowMissing(RuntimeError):
+    """A GIF was asked for, and there is nothing to write it with."""
+
+
+def save_gif(
+    file: str | PathLike[str], pictures: Iterator[str | PathLike[str]], milliseconds: int
+) -> None:
+    """Write pictures, each a file that is read when its turn comes, as a GIF that never ends.
+
+    Each is shown for so many milliseconds, a multiple of 10, and in its own palette. PillowMissing,
+    with a line that helps, where Pillow is not installed; OSError if a file cannot be opened.
+    """
+    if importlib.util.find_spec("PIL") is None:
+        raise PillowMissing("a GIF needs Pillow; type: pip install pybgi[record]")
+    from PIL import Image
+
+    def read(picture: str | PathLike[str]) -> Image.Image:
+        with Image.open(picture) as image:
+            return image.copy()
+
+    images = map(read, pictures)
+    first = next(images)  # if it fails, no file is touched
+    with open(file, "wb") as out:
+        first.save(
+            out,
+            format="GIF",
+            save_all=True,
+            append_images=images,
+            duration=milliseconds,
+            loop=0,
+            optimize=False,
+        )
+
+
+def progress(steps: Sequence[T], what: str, to: TextIO | None = None) -> Iterator[T]:
+    """Hand on the steps of a long work, one by one, with a bar that grows on stderr."""
+    stream = sys.stderr if to is None else to
+    for done, step in enumerate(steps, 1):
+        yield step
+        full = WIDTH * done // len(steps)
+        bar = "#" * full + "." * (WIDTH - full)
+        print(f"\r{what} [{bar}] {done}/{len(steps)}", end="", file=stream, flush=True)
+    print(file=stream)

@@ -1,0 +1,85 @@
+"""What a surface's colours tell: its height, its slope, the light on it, or any other quantity.
+
+A field is one number for every node of the grid, brought to the range from 0 to 1 that ramps take.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from surfaces.grid import Grid, Interval, evaluate
+from surfaces.transforms import FloatArray
+
+# Where the light comes from, in the viewed space: over the viewer's left shoulder.
+LIGHT = np.array((0.55, -0.35, 0.76))
+
+
+@dataclass(frozen=True)
+class Field:
+    """Values over the grid, from 0 to 1, and what 0 and 1 stand for."""
+
+    value: FloatArray
+    limits: Interval
+
+
+def field(color: Any, grid: Grid, T: FloatArray) -> Field:
+    """The field that ``color`` asks for.
+
+    "z", "slope" (how much z changes per unit, steepest way), "light" (half of it is shade), an
+    array like grid.z, or a function of x and y. T, 4x4, takes the surface to where the light is.
+    ValueError for another name or an array of another shape.
+    """
+    if isinstance(color, str):
+        if color not in FIELDS:
+            names = ", ".join(map(repr, FIELDS))
+            raise ValueError(f"color must be {names}, an array or a function, not {color!r}")
+        return FIELDS[color](grid, T)
+    if callable(color):
+        return spread(evaluate(color, *np.meshgrid(grid.x, grid.y, indexing="ij")))
+    values = np.asarray(color, dtype=np.float64)
+    if values.shape != grid.z.shape:
+        raise ValueError(f"color must have the shape {grid.z.shape}, not {values.shape}")
+    return spread(values)
+
+
+def spread(values: FloatArray) -> Field:
+    """Values of any range as a field; what is not finite is missing."""
+    values = np.where(np.isfinite(values), values, np.nan)
+    if np.isnan(values).all():
+        raise ValueError("color has no finite value")
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    return Field((values - low) / ((high - low) or 1.0), (low, high))
+
+
+def _gradient(grid: Grid) -> tuple[FloatArray, FloatArray]:
+    along_x, along_y = np.gradient(grid.z, grid.x, grid.y)
+    return np.asarray(along_x), np.asarray(along_y)
+
+
+def _height(grid: Grid, T: FloatArray) -> Field:
+    return spread(grid.z)
+
+
+def _slope(grid: Grid, T: FloatArray) -> Field:
+    return spread(np.hypot(*_gradient(grid)))
+
+
+def _light(grid: Grid, T: FloatArray) -> Field:
+    """1 where the light falls straight on the upper side, 0 where it does so on the other."""
+    along_x, along_y = _gradient(grid)
+    normal = np.stack((-along_x, -along_y, np.ones_like(along_x)), axis=-1)
+    # Normals go with the inverse transpose; a reflection turns no side over.
+    turned = normal @ np.linalg.inv(T[:3, :3]).T
+    turned /= np.linalg.norm(turned, axis=-1, keepdims=True)
+    # Squared, for light is softer than its cosine where it comes in low.
+    lit = (1 + turned @ (LIGHT / np.linalg.norm(LIGHT))) / 2
+    return Field(lit**2, (0.0, 1.0))
+
+
+FIELDS: dict[str, Callable[[Grid, FloatArray], Field]] = {
+    "z": _height,
+    "slope": _slope,
+    "light": _light,
+}

@@ -1,0 +1,206 @@
+"""Around the surface: its box, axes with numbers, a title, a bar of colours.
+
+What lies behind the surface is drawn before it, the far faces of the box; what lies before it, the
+three edges at the corner next to the eye, is drawn after. A box seen from any side has an outline
+of six edges, two along each axis: the axes are numbered there, where nothing is in the way.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from surfaces.colours import Palette
+from surfaces.fitting import Room
+from surfaces.grid import Interval
+from surfaces.hidden import View
+from surfaces.pen import Pen
+from surfaces.ticks import labels, ticks
+from surfaces.transforms import FloatArray, apply
+
+# LIGHTGRAY, DARKGRAY and WHITE of graphics.h.
+EDGE, GRID, TEXT = 7, 8, 15
+# In characters: the length of a tick, the bar of colours, and the bar with its numbers.
+TICK, BAR, BAR_AND_NUMBERS = 0.6, 1.75, 9
+NAMES = ("x", "y", "z")
+
+
+def room(pen: Pen, axes: bool, title: bool, colorbar: bool) -> Room:
+    """Pixels to leave free for writing, at the left, the top, the right and the bottom."""
+    left, top, right, bottom = 6 * axes, 2 * bool(title), 3 * axes, 3 * axes
+    right += BAR_AND_NUMBERS * colorbar
+    character = pen.character
+    return left * character, top * character, right * character, bottom * character
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The box around a surface, from its lowest to its highest corner."""
+
+    pen: Pen
+    view: View
+    low: FloatArray
+    high: FloatArray
+
+    @property
+    def far(self) -> FloatArray:
+        """The corner farthest from the eye: for each axis the end that the eye is not at."""
+        return np.where(self.view.eye > 0, self.low, self.high)
+
+    def _edges(self, axis: int) -> list[tuple[FloatArray, FloatArray, int]]:
+        """The four edges along an axis: both ends, and how many far faces each belongs to."""
+        found = []
+        others = [other for other in range(3) if other != axis]
+        for ends in product((self.low, self.high), repeat=2):
+            start = self.low.copy()
+            for other, end in zip(others, ends, strict=True):
+                start[other] = end[other]
+            stop = start.copy()
+            stop[axis] = self.high[axis]
+            found.append((start, stop, int((start == self.far)[others].sum())))
+        return found
+
+    def _lines(self, starts: list[FloatArray], ends: list[FloatArray], colour: int) -> None:
+        a, b = (apply(points, self.view.screen)[:, :2] for points in (starts, ends))
+        self.pen.lines(a, b, self.pen.ink(colour))
+
+    def back(self) -> None:
+        """The nine edges of the far faces, to be drawn before the surface."""
+        edges = [edge for axis in range(3) for edge in self._edges(axis)]
+        self._lines([a for a, _, n in edges if n], [b for _, b, n in edges if n], EDGE)
+
+    def front(self) -> None:
+        """The three edges at the corner next to the eye, to be drawn after it."""
+        edges = [edge for axis in range(3) for edge in self._edges(axis)]
+        self._lines([a for a, _, n in edges if not n], [b for _, b, n in edges if not n], EDGE)
+
+    def walls(self) -> None:
+        """A grid on the far faces, at the numbers of the axes."""
+        starts, ends = [], []
+        for axis in range(3):
+            for value in ticks(self.low[axis], self.high[axis]):
+                for other in range(3):
+                    if other != axis:
+                        start, stop = self.far.copy(), self.far.copy()
+                        start[axis] = stop[axis] = value
+                        start[other], stop[other] = self.low[other], self.high[other]
+                        starts.append(start)
+                        ends.append(stop)
+        self._lines(starts, ends, GRID)
+
+    def axes(self, names: Sequence[str]) -> None:
+        """Ticks, numbers and names, each axis at an edge of the outline."""
+        for axis, name in enumerate(names):
+            outline = [(start, stop) for start, stop, n in self._edges(axis) if n == 1]
+            # Of the two, the lower one on the screen; for z the left one.
+            side = 0 if axis == 2 else 1
+            sign = 1 if axis == 2 else -1
+            if outline:
+                start, stop = min(outline, key=lambda edge: sign * self._middle(edge)[side])
+                self._axis(axis, name, start, stop)
+
+    def _middle(self, points: tuple[FloatArray, FloatArray]) -> FloatArray:
+        middle: FloatArray = apply((points[0] + points[1]) / 2, self.view.screen)[:2]
+        return middle
+
+    def _axis(self, axis: int, name: str, start: FloatArray, stop: FloatArray) -> None:
+        ends = apply((start, stop), self.view.screen)[:, :2]
+        along = ends[1] - ends[0]
+        length, character = float(np.hypot(*along)), self.pen.character
+        if length < 4 * character:
+            return  # seen from its end: there is no room for numbers
+        outward = np.array((-along[1], along[0])) / length
+        if outward @ (ends.mean(axis=0) - self._middle((self.low, self.high))) < 0:
+            outward = -outward
+        # A number needs six characters' room along a level axis, two along an upright one.
+        apart = character * (6 * abs(along[0]) + 2.5 * abs(along[1])) / length
+        values = ticks(start[axis], stop[axis], about=min(5, int(length / apart)))
+        texts = labels(values)
+        for value, text in zip(values, texts, strict=True):
+            part = (value - start[axis]) / ((stop[axis] - start[axis]) or 1.0)
+            foot = ends[0] + part * along
+            tip = foot + TICK * character * outward
+            self.pen.lines(foot[None], tip[None], self.pen.ink(EDGE))
+            self._write(tip, outward, text)
+        widest = max(map(len, texts), default=0)
+        clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
+        self._write(ends.mean(axis=0) + clear * outward, outward, name)
+
+    def _write(self, at: FloatArray, outward: FloatArray, text: str) -> None:
+        """Text a little outward from a point, whatever side that is."""
+        character = self.pen.character
+        size = np.array((len(text), 1)) * character
+        centre = at + outward * (0.4 * character + np.abs(outward) * size / 2)
+        left, top = centre - size / 2
+        left = min(max(left, 0), self.pen.width - size[0])
+        top = min(max(top, 0), self.pen.height - character)
+        self.pen.text(left, top, text, self.pen.ink(TEXT))
+
+
+@dataclass(frozen=True)
+class Surround:
+    """What is to be drawn around a surface."""
+
+    frame: Frame
+    palette: Palette
+    limits: Interval
+    """What the first and the last colour stand for."""
+    box: bool
+    axes: bool | Sequence[str]
+    """Whether there are axes, or their names."""
+    title: str
+    colorbar: bool
+
+    def behind(self) -> None:
+        """Draw what belongs behind the surface."""
+        if self.axes:
+            self.frame.walls()
+        if self.box or self.axes:
+            self.frame.back()
+
+    def before(self) -> None:
+        """Draw what belongs before it, and beside it."""
+        pen = self.frame.pen
+        if self.box:
+            self.frame.front()
+        if self.axes:
+            self.frame.axes(NAMES if self.axes is True else self.axes)
+        if self.title:
+            write_title(pen, self.title)
+        if self.colorbar:
+            self.palette.load(pen)
+            draw_bar(pen, self.palette, self.limits)
+
+
+def write_title(pen: Pen, title: str) -> None:
+    """A line of text in the middle of the top."""
+    left = (pen.width - pen.character * len(title)) / 2
+    pen.text(max(0.0, left), pen.character, title, pen.ink(TEXT))
+
+
+def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
+    """What the colours stand for: a bar at the right, the least value at its foot."""
+    character = pen.character
+    left = pen.width - character * BAR_AND_NUMBERS
+    right = left + round(character * BAR)
+    top, bottom = pen.height // 5, pen.height - pen.height // 5
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(left, right), np.arange(top, bottom)))
+    shades = palette.shade((bottom - 0.5 - y) / (bottom - top), x, y)
+    if pen.vector:
+        rows = np.arange(top, bottom)
+        strips = [((left, row), (right, row), (right, row + 1), (left, row + 1)) for row in rows]
+        pen.polygons(np.array(strips, dtype=np.float64), shades[:: right - left], 0)
+    else:
+        pen.pixels(x, y, shades)
+    corners = np.array(((left - 1, top - 1), (right, top - 1), (right, bottom), (left - 1, bottom)))
+    around = corners.astype(np.float64)
+    pen.lines(around, np.roll(around, -1, axis=0), pen.ink(EDGE))
+    low, high = limits
+    values = ticks(low, high, about=7)
+    tick = np.array((TICK * character, 0.0))
+    for number, text in zip(values, labels(values), strict=True):
+        part = (number - low) / ((high - low) or 1.0)
+        at = np.array((right, bottom - 0.5 - part * (bottom - top)))
+        pen.lines(at[None], (at + tick)[None], pen.ink(EDGE))
+        pen.text(right + 1.2 * character, at[1] - (character - 1) / 2, text, pen.ink(TEXT))

@@ -1,0 +1,257 @@
+"""`python -m surfaces`: files of every kind, a window that answers keys, and errors in one line."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import bgi
+from surfaces import rotation, surface
+from surfaces.__main__ import FRAME, MODE, main
+from surfaces.animation import PillowMissing, progress, save_gif
+from surfaces.formula import formula
+
+ROOT = Path(__file__).parents[2]
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str]:
+    """The command's exit code and what it says."""
+    try:
+        code = main(arguments)
+    except SystemExit as exit:
+        assert isinstance(exit.code, int)
+        code = exit.code
+    out, err = capsys.readouterr()
+    assert out == ""
+    return code, err
+
+
+def test_a_png_is_the_picture_of_the_library(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "a.PNG"
+    assert run(capsys, "x*y", "--x", "-1", "2", "--turn", "30", "-n", "40", "-o", str(file)) == (
+        0,
+        "",
+    )
+    bgi.initgraph(*MODE)
+    bgi.setcolor(bgi.YELLOW)
+    turn = rotation("z", math.radians(30))
+    surface(formula("x*y"), (-1, 2), (-3, 3), 40, transform=turn, title="z = x*y")
+    bgi.writeimagefile(tmp_path / "b.png")
+    assert file.read_bytes() == (tmp_path / "b.png").read_bytes()
+
+
+OPTIONS = (
+    "--mode mesh",
+    "--mode waterfall --rho-z 0.5 --theta 30",
+    "--projection isometric --axes --colorbar",
+    "--color light --ramp grey --contours 5",
+    "--z -1 1",
+    "--x -2*pi 2*pi --y 0 e",
+    "--turn -90",
+)
+
+
+@pytest.mark.parametrize("options", OPTIONS)
+def test_every_option_changes_the_picture(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: str
+) -> None:
+    plain, changed = tmp_path / "plain.png", tmp_path / "changed.png"
+    assert run(capsys, "x+y*y", "-n", "30", "-o", str(plain)) == (0, "")
+    assert run(capsys, "x+y*y", "-n", "30", "-o", str(changed), *options.split()) == (0, "")
+    assert plain.read_bytes() != changed.read_bytes()
+
+
+def test_a_formula_may_begin_with_a_minus(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for place, text in enumerate(("-x*y", "-1", "-hypot(x, y)", "-n(")):
+        code, said = run(capsys, text, "-o", str(tmp_path / f"{place}.png"))
+        assert (code, said == "") == ((0, True) if place < 3 else (2, False))
+
+
+def test_svg_and_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for mode in ("fill", "mesh"):
+        svg = tmp_path / f"{mode}.svg"
+        assert run(capsys, "x < y", "--mode", mode, "-n", "9", "-o", str(svg)) == (0, "")
+        texts = [node.text for node in ElementTree.parse(svg).getroot().iter() if node.text]
+        assert "z = x < y" in texts
+    text = tmp_path / "a.txt"
+    assert run(capsys, "x*x", "-o", str(text)) == (0, "")
+    assert text.read_text("utf-8").splitlines()[1].strip() == "z = x*x"
+
+
+def test_a_gif_is_a_full_turn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    image = pytest.importorskip("PIL.Image")
+    file = tmp_path / "a.gif"
+    code, said = run(capsys, "x*y", "-n", "10", "--frames", "4", "-o", str(file))
+    assert code == 0
+    bars = said.strip("\r\n").split("\r")
+    assert [bar.split()[-1] for bar in bars] == ["1/4", "2/4", "3/4", "4/4"]
+    assert [bar.count("#") for bar in bars] == [10, 20, 30, 40]
+    with image.open(file) as gif:
+        assert (gif.n_frames, gif.info["duration"], gif.info["loop"]) == (4, FRAME, 0)
+        pictures = []
+        for number in range(4):
+            gif.seek(number)
+            pictures.append(np.asarray(gif.convert("RGB")))
+    # x*y upside down is x*y turned by a quarter: half a turn brings back the same picture.
+    assert (pictures[0] != pictures[1]).any()
+    shown = [picture.any(axis=2) for picture in pictures]
+    assert np.count_nonzero(shown[0] != shown[2]) < 1000
+
+
+def test_a_gif_without_pillow_says_what_to_type(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    file = tmp_path / "a.gif"
+    code, said = run(capsys, "x*y", "-o", str(file))
+    assert (code, said) == (1, "surfaces: a GIF needs Pillow; type: pip install pybgi[record]\n")
+    assert not file.exists()
+    with pytest.raises(PillowMissing):
+        save_gif(file, iter([]), 10)
+
+
+def test_progress_hands_on_every_step(capsys: pytest.CaptureFixture[str]) -> None:
+    assert list(progress("abc", "counting")) == ["a", "b", "c"]
+    assert capsys.readouterr().err.endswith(f"\rcounting [{'#' * 40}] 3/3\n")
+
+
+@pytest.mark.parametrize("text", ["sin(x*yy)", "", "__import__('os')", "x" * 600])
+def test_no_formula(tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str) -> None:
+    code, said = run(capsys, text, "-o", str(tmp_path / "a.png"))
+    assert code == 2
+    assert said.startswith("surfaces: ")
+    assert said.splitlines()[-1].strip(" ") == "^" * said.count("^")
+    assert not (tmp_path / "a.png").exists()
+
+
+def test_the_caret_points_at_the_word(capsys: pytest.CaptureFixture[str]) -> None:
+    _, said = run(capsys, "sin(x*yy)")
+    assert said == (
+        "surfaces: unknown name 'yy': there are x, y, r, theta, pi, e (column 7)\n"
+        "sin(x*yy)\n"
+        "      ^^\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("log(-1-r) -o a.png", "no finite value"),
+        ("x --x 3 1 -o a.png", "x must be (a, b) with finite a < b"),
+        ("x --z 1 1 -o a.png", "z must be (a, b)"),
+        ("x --x 1 -o a.png", "expected 2 arguments"),
+        ("x --x 0 x -o a.png", "x is no number"),
+        ("x --x 0 1/0 -o a.png", "1/0 is no number"),
+        ("x --x 0 foo -o a.png", "unknown name 'foo'"),
+        ("x --theta 90 -o a.png", "90 is no number from 1 to 89"),
+        ("x --rho-z 2 -o a.png", "2 is no number from 0.01 to 1"),
+        ("x -n 0 -o a.png", "0 is no whole number from 1 to 1000"),
+        ("x -n 2.5 -o a.png", "2.5 is no whole number"),
+        ("x -n 100000 -o a.png", "from 1 to 1000"),
+        ("x --frames 1 -o a.gif", "from 2 to 1000"),
+        ("x --mode blue -o a.png", "blue"),
+        ("x --ramp blue -o a.png", "blue"),
+        ("x --projection blue -o a.png", "blue"),
+        ("x -o a.doc", "a.doc must be a file .png, .gif (a full turn), .svg or .txt"),
+        ("x -o a", "a must be a file .png"),
+        ("x y -o a.png", "unrecognized arguments: y"),
+        ("", "FORMULA"),
+    ],
+)
+def test_wrong_use_is_one_clear_line(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: str,
+    message: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    code, said = run(capsys, *arguments.split())
+    assert code == 2
+    assert message in said.splitlines()[-1]
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    ["1e308*x", "exp(700)*sin(x)", "1e-320*x", "x --x 0 1e-320", "x --x -1e308 1e308", "1e300"],
+)
+def test_numbers_beyond_all_bounds(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: str
+) -> None:
+    code, said = run(capsys, *arguments.split(), "--axes", "-o", str(tmp_path / "a.png"))
+    assert (code, said.count("\n")) in ((0, 0), (2, 1))
+
+
+@pytest.mark.parametrize("ending", ["png", "gif", "svg", "txt"])
+def test_a_file_that_cannot_be_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], ending: str
+) -> None:
+    if ending == "gif":
+        pytest.importorskip("PIL")
+    file = tmp_path / "nowhere" / f"a.{ending}"
+    code, said = run(capsys, "x", "-n", "5", "--frames", "2", "-o", str(file))
+    assert code == 1
+    assert re.fullmatch(r"surfaces: .*nowhere.*\n", said)
+
+
+def test_the_arrows_turn_it_in_the_window(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    turned = []
+    monkeypatch.setattr(
+        "surfaces.__main__.surface", lambda f, transform, **rest: turned.append(transform)
+    )
+    monkeypatch.setenv("BGI_KEYS", "Right Right Left Up q")
+    assert run(capsys, "x", "--turn", "10") == (0, "")
+    expected = [rotation("z", np.radians(angle)) for angle in (10, 15, 20, 15, 15)]
+    assert np.allclose(turned, expected, rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("error", "code"), [(bgi.WindowClosed("closed"), 0), (KeyboardInterrupt(), 130)]
+)
+def test_ends_quietly_when_the_user_ends_it(
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    error: BaseException,
+    code: int,
+) -> None:
+    def interrupted() -> int:
+        raise error
+
+    monkeypatch.setattr("surfaces.__main__.getch", interrupted)
+    assert run(capsys, "x") == (code, "")
+
+
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display")
+def test_without_a_display_it_says_so_in_one_line() -> None:
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "BGI_MONITOR"}
+    ran = subprocess.run(
+        [sys.executable, "-m", "surfaces", "x*y"],
+        cwd=ROOT,
+        env={name: value for name, value in os.environ.items() if name not in hidden},
+        capture_output=True,
+        text=True,
+    )
+    assert (ran.returncode, ran.stdout) == (1, "")
+    assert re.fullmatch("surfaces: no display .* -o picture.png .*\n", ran.stderr)
+
+
+def test_help_names_everything(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as exit:
+        main(["--help"])
+    assert exit.value.code == 0
+    text = capsys.readouterr().out
+    for word in ("--rho-z", "atan2", "theta", "waterfall", "isometric", "heat", "-o turning.gif"):
+        assert word in text

@@ -1,0 +1,189 @@
+"""Any primitive graphics system: the same picture, however little the system can do."""
+
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import bgi
+from surfaces import FIGURES, Pen, parametric, rotation, surface
+from surfaces.svg import Svg
+from surfaces.text import Text
+
+TURNS = {"as it is": None, "tumbling": rotation((1, 2, 3), 1.1)}
+HOW: dict[str, dict[str, Any]] = {
+    "fill": {"n": 60},
+    "mesh": {"n": 30, "mode": "mesh"},
+    "fill+mesh": {"n": 60, "mode": "fill+mesh", "every": 3},
+    "waterfall": {"n": 30, "mode": "waterfall"},
+    "wire": {"n": 20, "mode": "wire"},
+    "facets": {"n": 40, "mode": "facets"},
+    "around": {"n": 20, "box": True, "axes": True, "contours": 5, "floor": 5, "colorbar": True},
+    "holes": {"n": 20, "holes": True, "mode": "mesh"},
+    "holes, filled": {"n": 20, "holes": True},
+    "dithered": {"n": 30, "dither": True},
+}
+
+
+class Dots:
+    """A graphics system that can set a pixel, and nothing else."""
+
+    def __init__(self, width: int, height: int, colours: int) -> None:
+        self.array = np.zeros((height, width), dtype=np.int64)
+        self.colours = colours
+
+    def getmaxx(self) -> int:
+        return self.array.shape[1] - 1
+
+    def getmaxy(self) -> int:
+        return self.array.shape[0] - 1
+
+    def getmaxcolor(self) -> int:
+        return self.colours - 1
+
+    def putpixel(self, x: int, y: int, color: int) -> None:
+        assert (type(x), type(y), type(color)) == (int, int, int)
+        assert 0 <= x <= self.getmaxx()
+        assert 0 <= y <= self.getmaxy()
+        self.array[y, x] = color
+
+
+def draw(on: Any, holes: bool = False, **how: Any) -> None:
+    fig = FIGURES[1]
+
+    def f(x: Any, y: Any) -> Any:
+        return np.where(x * x + y * y < 0.7, np.nan, fig.f(x, y)) if holes else fig.f(x, y)
+
+    surface(f, fig.x, fig.y, zfrac=fig.zfrac, on=on, **how)
+
+
+def page() -> NDArray[Any]:
+    x, y = np.meshgrid(np.arange(bgi.getmaxx() + 1), np.arange(bgi.getmaxy() + 1))
+    return np.asarray(bgi.getpixel(x, y))
+
+
+@pytest.mark.parametrize("how", HOW.values(), ids=HOW.keys())
+@pytest.mark.parametrize("turn", TURNS.values(), ids=TURNS.keys())
+@pytest.mark.parametrize("mode", [bgi.IBM8514, bgi.VGA])
+def test_pixel_by_pixel_it_is_the_same_picture(how: Any, turn: Any, mode: int) -> None:
+    """The BGI's arrays, lines and polygons against nothing but putpixel, one at a time."""
+    bgi.initgraph(mode, bgi.VGAHI if mode == bgi.VGA else bgi.IBM8514LO)
+    # A system without writing: the BGI's, with the one call taken away.
+    quiet = Quiet()
+    draw(quiet, transform=turn, lines=14, **how)
+    dots = Dots(640, 480, bgi.getmaxcolor() + 1)
+    draw(dots, transform=turn, lines=14, **how)
+    assert (page() == dots.array).all()
+    assert dots.array.any()
+
+
+class Quiet:
+    """The BGI without outtextxy."""
+
+    arrays = True
+
+    def __getattr__(self, name: str) -> Any:
+        if name in ("outtextxy", "vector", "aspect", "character"):
+            raise AttributeError(name)
+        return getattr(bgi, name)
+
+
+def test_a_scalar_system_with_lines_and_polygons() -> None:
+    """graphics.h's own calls, one number at a time: setcolor, setfillstyle, line, fillpoly."""
+
+    class Borland:
+        def __getattr__(self, name: str) -> Any:
+            if name in ("outtextxy", "arrays", "vector", "aspect", "character"):
+                raise AttributeError(name)
+            return getattr(bgi, name)
+
+    pictures = []
+    for system in (Quiet(), Borland()):
+        bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
+        draw(system, n=15, mode="mesh", holes=True, box=True, axes=True, lines=14)
+        pictures.append(page())
+    assert (pictures[0] == pictures[1]).all()
+
+
+@pytest.mark.parametrize("mode", ["fill", "mesh", "fill+mesh", "waterfall", "wire", "facets"])
+def test_svg_is_a_drawing_of_shapes(mode: str) -> None:
+    svg = Svg(640, 480)
+    draw(svg, n=12, mode=mode, axes=True, box=True, colorbar=True, title="a < b & c", lines=14)
+    root = ElementTree.fromstring(str(svg))
+    shapes = [child for child in root if child.tag.endswith("path")]
+    assert len(shapes) >= 100
+    assert not [shape for shape in shapes if "h1v1" in shape.attrib["d"]]  # no single pixels
+    texts = [child.text for child in root if child.tag.endswith("text")]
+    assert texts[-1] != ""
+    assert "a < b & c" in texts
+    assert {"x", "y", "z"} <= set(texts)
+
+
+def test_svg_has_every_call(tmp_path: Any) -> None:
+    svg = Svg(100, 50, background="#ffffff")
+    svg.setcolor(4)
+    svg.putpixel(3, 4, 2)
+    svg.line(0, 0, 99, 49)
+    svg.setfillstyle(1, 14)
+    svg.setcolor(0)
+    svg.fillpoly([(1, 1), (5, 1), (3, 9)])
+    svg.setrgbpalette(200, 1, 2, 255)
+    svg.putpixel(9, 9, 200)
+    svg.save(tmp_path / "a.svg")
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    ElementTree.fromstring(text)
+    assert 'viewBox="-0.5 -0.5 100 50"' in text
+    assert 'd="M2.5 3.5h1v1h-1z" fill="#00aa00"' in text
+    assert 'd="M0 0L99 49" stroke="#aa0000"' in text
+    assert 'd="M1 1L5 1L3 9z" fill="#ffff55" stroke="#ffff55"' in text
+    assert 'fill="#0102ff"' in text
+    assert (svg.getmaxx(), svg.getmaxy(), svg.getmaxcolor(), svg.getcolor()) == (99, 49, 255, 0)
+
+
+def test_text_draws_with_characters() -> None:
+    page = Text(60, 24)
+    surface(lambda x, y: -x * x - y * y, (-1, 1), (-1, 1), n=40, on=page, title="a hill", zfrac=0.4)
+    lines = str(page).split("\n")
+    assert len(lines) == 24
+    assert "a hill" in lines[1]
+    picture = "".join(lines[3:])
+    assert set(".:-=+*o#%@") <= set(picture)
+    assert max(map(len, lines)) <= 60
+
+
+def test_text_of_one_colour() -> None:
+    page = Text(40, 20)
+    surface(lambda x, y: x * y, (-1, 1), (-1, 1), n=6, mode="wire", on=page)
+    assert set(str(page)) == {" ", "*", "\n"}
+    page.outtextxy(-3, 99, "x" * 99)
+    assert str(page).split("\n")[-1] == "x" * 40
+
+
+def test_a_parametric_surface_on_dots() -> None:
+    dots = Dots(80, 60, 256)
+
+    def ball(u: Any, v: Any) -> Any:
+        return np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)
+
+    parametric(ball, (0, 2 * np.pi), (0, np.pi), n=30, projection="isometric", on=dots)
+    rows, columns = np.nonzero(dots.array)
+    assert np.ptp(columns) == pytest.approx(np.ptp(rows), abs=1)
+    assert len(rows) == pytest.approx(np.pi / 4 * (np.ptp(rows) + 1) ** 2, rel=0.05)
+
+
+def test_what_a_pen_knows_of_its_system() -> None:
+    bgi.initgraph(bgi.EGA, bgi.EGAHI)
+    pen = Pen()
+    assert (pen.width, pen.height, pen.colours, pen.arrays, pen.vector) == (
+        640,
+        350,
+        16,
+        True,
+        False,
+    )
+    assert (pen.aspect, pen.character) == (pytest.approx(4 * 350 / (3 * 640)), 8)
+    page = Pen(Text())
+    assert (page.arrays, page.aspect, page.character, page.colour) == (False, 0.5, 1, 15)
+    assert Pen(Dots(4, 4, 4)).colour == 3
