@@ -25,6 +25,8 @@ Axis = Interval | Sequence[float] | FloatArray
 # the diagonals, and at four distances, so that 1/x**2 and log(x**2) are seen to grow.
 BESIDE = 1e-6 * np.array(((1.0, 1.37), (1.7, -2.3), (-2.6, 3.5), (-3.9, -5.3)))
 AGREEMENT = 1e-3
+LARGEST = 1e30
+"""Beyond it a number counts as infinite."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,18 @@ class Grid:
             low, high = (~_all_corners(self.z != limit) for limit in self.limits)
             whole &= ~(low & high)
         return whole
+
+    @property
+    def joined(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Which neighbours along x, and along y, a line may join: not both sides of a pole."""
+        return self._joined(self.z[:-1], self.z[1:]), self._joined(self.z[:, :-1], self.z[:, 1:])
+
+    def _joined(self, z1: FloatArray, z2: FloatArray) -> NDArray[np.bool_]:
+        joined = np.isfinite(z1) & np.isfinite(z2)
+        if self.limits is not None:
+            low, high = self.limits
+            joined &= ~((np.minimum(z1, z2) == low) & (np.maximum(z1, z2) == high))
+        return joined
 
     def lines(self, every: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Every so many nodes of x and of y, where a mesh has its lines; always the last."""
@@ -103,8 +117,6 @@ def sample(
     across, along = np.meshgrid(xs, ys, indexing="ij")
     values = evaluate(f, across, along)
     missing = ~np.isfinite(values)
-    if not missing.any() and limits is None:
-        return Grid(xs, ys, values)
     if missing.any():
         width, depth = xs[-1] - xs[0], ys[-1] - ys[0]
         found = _beside(f, across[missing], along[missing], width, depth)
@@ -152,8 +164,15 @@ def _axis(name: str, axis: Axis | None, count: int) -> FloatArray:
 
 
 def _cut(z: FloatArray, limits: Interval | None) -> FloatArray:
-    """Heights within the limits; without limits, infinities become NaN."""
-    return np.where(np.isinf(z), np.nan, z) if limits is None else np.clip(z, *limits)
+    """Heights within the limits; without limits, infinities become NaN.
+
+    What is larger than LARGEST counts as infinite, and what is smaller than 1 / LARGEST as 0, so
+    that no later arithmetic overflows.
+    """
+    if limits is not None:
+        return np.clip(z, *limits)
+    z = np.where(np.abs(z) < 1 / LARGEST, 0.0, z)
+    return np.where(np.abs(z) > LARGEST, np.nan, z)
 
 
 def evaluate(f: Function, x: FloatArray, y: FloatArray) -> FloatArray:
@@ -205,4 +224,6 @@ def _interval(name: str, interval: Any) -> Interval:
         ordered = False
     if not ordered:
         raise ValueError(f"{name} must be (a, b) with finite a < b, not {interval!r}")
+    if max(abs(a), abs(b)) > LARGEST or b - a < 1 / LARGEST:
+        raise ValueError(f"{name} must be a range of floats' middle size, not {interval!r}")
     return a, b

@@ -89,7 +89,9 @@ def _facets(picture: Picture) -> None:
 
 def _wire(picture: Picture) -> None:
     for grid in picture.grids:
-        painter.wire(picture.pen, grid.points, picture.view, picture.every, picture.ink)
+        painter.wire(
+            picture.pen, grid.points, picture.view, picture.every, picture.ink, grid.joined
+        )
 
 
 def _mesh(picture: Picture) -> None:
@@ -120,17 +122,13 @@ def _waterfall(picture: Picture) -> None:
         i, _ = grid.lines(picture.every)
         nodes = apply(grid.points[i], picture.view.screen)[..., :2]
         rows = back_to_front(nodes, picture.view.eye)
-        for behind, front in zip(rows, (*rows[1:], rows[-1]), strict=True):
+        joined = back_to_front(grid.joined[1][i], picture.view.eye)
+        for k in range(len(rows)):
+            behind, front = rows[k], rows[min(k + 1, len(rows) - 1)]
             corners = np.stack((behind[:-1], behind[1:], front[1:], front[:-1]), axis=1)
-            there = np.isfinite(corners).all(axis=(1, 2))
+            there = joined[k] & joined[min(k + 1, len(rows) - 1)]
             picture.pen.polygons(corners[there], painter.BACKGROUND, painter.BACKGROUND)
-            _polyline(picture, behind)
-        _polyline(picture, rows[-1])
-
-
-def _polyline(picture: Picture, nodes: FloatArray) -> None:
-    there = np.isfinite(nodes[:-1] + nodes[1:]).all(axis=1)
-    picture.pen.lines(nodes[:-1][there], nodes[1:][there], picture.ink)
+            picture.pen.lines(behind[:-1][joined[k]], behind[1:][joined[k]], picture.ink)
 
 
 def _draw(picture: Picture, segments: Segments) -> None:

@@ -111,12 +111,25 @@ def shade(pen: Pen, palette: Palette, cells: Cells) -> None:
     buffer.draw()
 
 
-def wire(pen: Pen, points: FloatArray, view: View, every: int, ink: int) -> None:
-    """All lines of a sheet of points, (nu+1, nv+1, 3), hidden or not."""
+def wire(
+    pen: Pen,
+    points: FloatArray,
+    view: View,
+    every: int,
+    ink: int,
+    joined: tuple[NDArray[np.bool_], NDArray[np.bool_]] | None = None,
+) -> None:
+    """All lines of a sheet of points, (nu+1, nv+1, 3), hidden or not.
+
+    `joined` says which neighbours along u, and along v, a line joins: all, if None.
+    """
     nodes = apply(points, view.screen)[..., :2]
     i, j = (some(count, every) for count in points.shape[:2])
     across, along = nodes[i], nodes[:, j]
     starts = np.concatenate((across[:, :-1].reshape(-1, 2), along[:-1].reshape(-1, 2)))
     ends = np.concatenate((across[:, 1:].reshape(-1, 2), along[1:].reshape(-1, 2)))
     there = np.isfinite(starts + ends).all(axis=1)
+    if joined is not None:
+        along_u, along_v = joined
+        there &= np.concatenate((along_v[i].ravel(), along_u[:, j].ravel()))
     pen.lines(starts[there], ends[there], ink)

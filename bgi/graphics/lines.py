@@ -168,8 +168,8 @@ class Lines(Screen):
         else:
             sides, real = polygons.edges_many(corners + self._origin)
             colors = self._colors("color", color, self.settings.color, len(corners))
-            owners, side = np.nonzero(real.T)
-            x1, y1, x2, y2 = (end[side, owners] for end in sides)
+            owners, which = np.nonzero(real.T)
+            x1, y1, x2, y2 = (end[which, owners] for end in sides)
             self._segments((x1, y1, x2, y2), colors[owners])
 
     def _shifted(self, points: list[Point]) -> list[Point]:
