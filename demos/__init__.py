@@ -29,6 +29,10 @@ NAMES = (
     "parametric",
     "turn",
     "explore",
+    "paint",
+    "piano",
+    "keys",
+    "clock",
 )
 """The demos, in the order in which to learn from them."""
 

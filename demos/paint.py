@@ -3,8 +3,9 @@
     python -m demos paint
 
 What it shows: the mouse driver's functions in `bgi.mouse`. A loop asks where the mouse is and which
-buttons it holds, and joins the places by lines. The pointer is no part of the picture: it need not
-be hidden while something is drawn. + and - change the brush, c clears, Esc ends.
+buttons are held, and joins the places by lines. The pointer is no part of the picture: it need not
+be hidden while something is drawn. The right button rubs out, + and - change the brush, c clears,
+Esc ends.
 """
 
 import numpy as np
@@ -93,13 +94,14 @@ def choose(brush: Brush, x: int) -> None:
 
 def follow(brush: Brush) -> None:
     """Do what the mouse says: left paints and chooses, right rubs out."""
+    times, left, top = mouse.presses(mouse.LEFT)
+    if times and top < BAR:  # however short the click was
+        choose(brush, left)
     x, y = mouse.position()
     held = mouse.buttons()
     if not held:
         brush.last = None
-    elif y < BAR and brush.last is None:
-        choose(brush, x)
-    else:
+    elif y >= BAR or brush.last is not None:
         brush.stroke(x, y, brush.color if held & 1 else BLACK)
 
 

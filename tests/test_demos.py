@@ -34,6 +34,10 @@ KEYS = {
     "parametric": "1 2 m 3 4 Space Esc",
     "turn": "Space Space Esc",
     "explore": "Enter x * y Enter Left + Tab Enter ( Enter Esc Esc",
+    "paint": "+ - c Esc",
+    "piano": "a w k Esc",
+    "keys": "a Up F1 Esc",
+    "clock": "x",
 }
 
 
