@@ -34,7 +34,12 @@ class Curves(Fills):
         """Draw circles, round on a screen of the mode's aspect ratio."""
         if type(x) is int and type(y) is int and type(radius) is int and color is None:
             xasp, yasp = self.aspect
-            self._ellipse(x, y, 0, 360, radius, radius * xasp // yasp)
+            ry = radius * xasp // yasp
+            if self._thick:
+                self._ellipse(x, y, 0, 360, radius, ry)
+            else:
+                outline = curves.outline(0, 360, radius, ry, self.mode.width)
+                self.page.curve(x + self._dx, y + self._dy, outline, self.settings.color)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
 
