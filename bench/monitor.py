@@ -1,4 +1,4 @@
-"""What the window costs: `python -m bench.monitor`, best on a real display.
+"""What the window costs: `python -m bench.monitor [FLIPS]`, best on a real display.
 
 Every number is measured from outside, at the public functions or by what the system says of the two
 processes. Linux only.
@@ -6,6 +6,7 @@ processes. Linux only.
 
 import ctypes
 import ctypes.util
+import itertools
 import os
 import statistics
 import subprocess
@@ -17,12 +18,12 @@ import bgi
 from bgi import current
 from bgi.monitor import Window, display_exists
 
-FLIPS = 100_000
+FLIPS = 20_000
 TICKS = os.sysconf("SC_CLK_TCK")
 
 
 def report(flips: int = FLIPS) -> None:
-    """Print the table; the flips take about a minute."""
+    """Print the table; 100,000 flips take some minutes."""
     os.environ["BGI_MONITOR"] = "window"
     if not display_exists():
         os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -150,7 +151,7 @@ def pace(pictures: int = 240) -> None:
         bgi.bar(number, 100, number + 50, 200)
         bgi.swapbuffers()
         moments.append(time.perf_counter())
-    gaps = [1000 * (b - a) for a, b in zip(moments[20:-1], moments[21:], strict=True)]
+    gaps = [1000 * (b - a) for a, b in itertools.pairwise(moments[20:])]
     row("swapbuffers(), a second", 1000 / statistics.mean(gaps), "pictures")
     row("  from one to the next, standard deviation", statistics.stdev(gaps), "ms")
 
@@ -221,4 +222,4 @@ def flip(number: int) -> None:
 
 
 if __name__ == "__main__":
-    report()
+    report(*map(int, sys.argv[1:]))

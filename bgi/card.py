@@ -39,7 +39,7 @@ import os
 import struct
 import sys
 import weakref
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -50,6 +50,7 @@ PALETTE = 64
 PIXELS = 4096
 LARGEST = 4096  # no mode is wider or higher; a header that says so is damaged
 DEPTHS = (1, 4)  # bytes per pixel
+ATTEMPTS = 10  # at a copy of a page, while the program turns to other pages all the time
 
 _HEADER = struct.Struct("<8s8I")  # magic and the eight numbers that follow it
 _U32 = struct.Struct("<I")
@@ -208,17 +209,28 @@ class Card:
 
         For monitors: believes nothing in the header that it has not checked.
         """
-        header = _HEADER.unpack_from(self._map)
+        for _ in range(ATTEMPTS):
+            header = _HEADER.unpack_from(self._map)
+            frame = self._copy(header)
+            # If the program has turned to another page meanwhile, it may have drawn on this one.
+            if header == _HEADER.unpack_from(self._map):
+                return frame
+        return None
+
+    def _copy(self, header: tuple[Any, ...]) -> Frame | None:
         _, _, width, height, pages, pixel_bytes, visible, _, square = header
         size = width * height * pixel_bytes
         if not (0 < width <= LARGEST and 0 < height <= LARGEST and visible < pages):
             return None
         if pixel_bytes not in DEPTHS or size * pages > self.capacity:
             return None
-        if header != _HEADER.unpack_from(self._map):
-            return None
         start = PIXELS + visible * size
         return Frame(width, height, pixel_bytes, bool(square), self._map[start : start + size])
+
+    def checksum(self) -> int:
+        """A number that tells whether anything has changed: any pixel, colour or setting."""
+        used = PIXELS + self.width * self.height * self.pages * self.pixel_bytes
+        return int(np.frombuffer(self._map, np.uint64, used // 8).sum())
 
     def close(self) -> None:
         """Let go of the memory; views that somebody still holds stay valid until dropped."""

@@ -1,6 +1,10 @@
-"""The keyboard, as conio.h has it: kbhit() and getch() for the graphics window."""
+"""The keyboard, as conio.h has it: kbhit(), getch() and their like for the graphics window."""
 
 from bgi import current
+from bgi.arguments import Number, whole
+
+EOF = -1
+"""What ungetch() returns when it cannot."""
 
 
 def kbhit() -> int:
@@ -15,9 +19,36 @@ def kbhit() -> int:
 def getch() -> int:
     """Wait for a key and return its code, without showing it.
 
-    A key without a character (arrows, F1..F12, Home, Alt-letters, ...) returns 0 first; the next
-    call returns its scan code: 72, 80, 75, 77 for up, down, left, right. Enter is 13, Esc 27.
-    Raises BGIError before initgraph, WindowClosed if the window is closed meanwhile, and BGIError
-    without a window once the scripted keys (BGI_KEYS) are used up. Source: conio.h.
+    A key without a character (arrows, F1..F10, Home, Alt-letters, ...) returns 0 first; the next
+    call returns its scan code: 72, 80, 75, 77 for up, down, left, right. Enter is 13, Esc 27;
+    characters beyond ASCII have their codes of code page 437. Raises BGIError before initgraph,
+    WindowClosed if the window is closed meanwhile, and BGIError without a window once the scripted
+    keys (BGI_KEYS) are used up. Source: conio.h.
     """
     return current.screen.monitor.read_key()
+
+
+def getche() -> int:
+    """Wait for a key, show it on the terminal and return its code.
+
+    Otherwise like getch(). Codes without a picture, such as Esc, are not shown. Source: conio.h.
+    """
+    code = getch()
+    shown = "\n" if code == 13 else bytes([code]).decode("cp437")
+    print(shown if shown.isprintable() or shown in "\n\b" else "", end="", flush=True)
+    return code
+
+
+def ungetch(c: Number) -> int:
+    """Give a character back, so that the next getch() returns it.
+
+    Args:
+        c: its code, 0 to 255.
+
+    Returns it, or EOF (-1), and does nothing, if one has been given back already, or if half an
+    extended key waits there. ValueError for a code that is none. Source: conio.h.
+    """
+    code = whole("c", c)
+    if not 0 <= code <= 255:
+        raise ValueError(f"c must be a code from 0 to 255, not {code}")
+    return code if current.screen.monitor.keys.put_back(code) else EOF

@@ -214,7 +214,7 @@ _SHIFT_FLAGS = {
 
 
 def shift_flags(mods: int) -> int:
-    """The BIOS's flags for pygame's: 1 right and 2 left Shift, 4 Ctrl, 8 Alt, 0x20 Num, 0x40 Caps."""
+    """The BIOS's flags for pygame's: 1 right Shift, 2 left Shift, 4 Ctrl, 8 Alt, and the locks."""
     return sum(flag for mask, flag in _SHIFT_FLAGS.items() if mods & mask)
 
 
@@ -247,6 +247,10 @@ class KeyQueue:
     def waiting(self) -> bool:
         """Whether `get` would return at once."""
         return bool(self._keys) or self._back is not None
+
+    def half(self) -> bool:
+        """Whether the next byte is the second one of a keystroke, or one that was put back."""
+        return self._back is not None
 
     def wait(self, seconds: float) -> None:
         """Wait until there is a key, but not longer than that."""

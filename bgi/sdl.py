@@ -4,15 +4,30 @@ pygame and pygame-ce are twins that install the same folder `pygame`. Together t
 and uninstalling either breaks the other.
 """
 
+import contextlib
 import os
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
 import pygame as pygame
 
-__all__ = ["pygame"]
+__all__ = ["pygame", "quietly"]
+
+
+@contextlib.contextmanager
+def quietly() -> Iterator[None]:
+    """Keep off the terminal what the system's libraries say when a device is not there."""
+    kept, nothing = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nothing, 2)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+        os.close(nothing)
 
 
 def warn_of_twins(folder: Path) -> None:

@@ -30,6 +30,12 @@ def gone(pid: int) -> bool:
     return state.stdout.strip()[:1] in ("", "Z")
 
 
+def memory_of(pid: int) -> int:
+    """The memory that a process really uses, in kilobytes (Linux only)."""
+    with open(f"/proc/{pid}/status") as status:
+        return int(next(line for line in status if line.startswith("VmRSS")).split()[1])
+
+
 def shared_memory() -> set[str]:
     """The names of shared memory there are on this machine."""
     return set(os.listdir("/dev/shm")) if os.path.isdir("/dev/shm") else set()

@@ -16,6 +16,7 @@ FUNCTIONS = {
     for path in API.glob("*.py")
     for node in ast.parse(path.read_text(encoding="utf-8")).body
     if isinstance(node, ast.FunctionDef)
+    and (not node.name.startswith("_") or node.name.startswith("_graph"))
 }
 DRAWING = sorted(FUNCTIONS & set(dir(Graphics)))
 

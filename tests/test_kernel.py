@@ -47,17 +47,32 @@ def test_queries_of_the_mode():
     assert bgi.getdrivername() == "EGAVGA"
     assert (bgi.getgraphmode(), bgi.getmaxmode()) == (2, 2)
     assert [bgi.getmodename(n) for n in (-1, 0, 1, 2, 3)] == [
-        None, "640 x 200 EGA", "640 x 350 EGA", "640 x 480 VGA", None]
+        None,
+        "640 x 200 EGA",
+        "640 x 350 EGA",
+        "640 x 480 VGA",
+        None,
+    ]
     bgi.restorecrtmode()
     assert bgi.getgraphmode() == 2
     bgi.setgraphmode(bgi.getgraphmode())
 
 
-@pytest.mark.parametrize("driver, modes", [
-    (bgi.CGA, (0, 4)), (bgi.MCGA, (0, 5)), (bgi.EGA, (0, 1)), (bgi.EGA64, (0, 1)),
-    (bgi.EGAMONO, (0, 0)), (bgi.IBM8514, (0, 1)), (bgi.HERCMONO, (0, 0)), (bgi.ATT400, (0, 5)),
-    (bgi.VGA, (0, 2)), (bgi.PC3270, (0, 0)),
-])
+@pytest.mark.parametrize(
+    "driver, modes",
+    [
+        (bgi.CGA, (0, 4)),
+        (bgi.MCGA, (0, 5)),
+        (bgi.EGA, (0, 1)),
+        (bgi.EGA64, (0, 1)),
+        (bgi.EGAMONO, (0, 0)),
+        (bgi.IBM8514, (0, 1)),
+        (bgi.HERCMONO, (0, 0)),
+        (bgi.ATT400, (0, 5)),
+        (bgi.VGA, (0, 2)),
+        (bgi.PC3270, (0, 0)),
+    ],
+)
 def test_getmoderange_works_before_initgraph(driver, modes):
     assert bgi.getmoderange(driver) == modes
     assert bgi.graphresult() == 0

@@ -7,7 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bgi.errors import BGIError
-from bgi.keyboard import BIOS_BUFFER, KeyQueue, encode, parse_script
+from bgi.keyboard import (
+    BIOS_BUFFER,
+    KeyQueue,
+    bios_code,
+    encode,
+    parse_script,
+    shift_flags,
+)
 from bgi.sdl import pygame
 
 NONE, SHIFT, CTRL, ALT = 0, pygame.KMOD_LSHIFT, pygame.KMOD_LCTRL, pygame.KMOD_LALT
@@ -182,6 +189,93 @@ def test_close_wakes_whoever_waits() -> None:
         with pytest.raises(BGIError, match="the window was closed"):
             queue.get()
     closer.join()
+
+
+def test_one_byte_can_be_put_back() -> None:
+    queue = KeyQueue()
+    queue.put(b"\0H")
+    assert queue.put_back(7)
+    assert not queue.put_back(8)
+    assert queue.waiting()
+    assert (queue.get(), queue.get()) == (7, 0)
+    assert queue.half()
+    assert not queue.put_back(9)  # half a keystroke waits in the same place
+    assert queue.get() == 72
+    assert queue.put_back(9)
+    assert queue.get() == 9
+    assert not queue.waiting()
+
+
+def test_a_keystroke_can_be_looked_at_and_taken_whole() -> None:
+    queue = KeyQueue()
+    assert queue.peek() is None
+    queue.put(b"\0H")
+    queue.put_back(7)  # the BIOS knows nothing of it
+    assert (queue.peek(), queue.take(), queue.peek()) == (b"\0H", b"\0H", None)
+    assert queue.get() == 7
+
+
+def test_a_script_may_be_longer_than_the_buffer() -> None:
+    queue = KeyQueue()
+    queue.load([b"x"] * 100)
+    queue.put(b"y")
+    assert [queue.get() for _ in range(100)] == [ord("x")] * 100
+    assert not queue.waiting()
+
+
+def test_wait_ends_with_a_key() -> None:
+    queue = KeyQueue()
+    queue.wait(0)
+    typist = threading.Timer(0.05, queue.put, [b"k"])
+    typist.start()
+    queue.wait(1000)
+    assert queue.waiting()
+    typist.join()
+
+
+@pytest.mark.parametrize(
+    ("keystroke", "code"),
+    [
+        (b"\0H", 0x4800),
+        (b"\0P", 0x5000),
+        (b"\0K", 0x4B00),
+        (b"\0M", 0x4D00),
+        (b"\0;", 0x3B00),
+        (b"\x1b", 0x011B),
+        (b"\r", 0x1C0D),
+        (b"\n", 0x1C0A),
+        (b"\t", 0x0F09),
+        (b"\b", 0x0E08),
+        (b"\x7f", 0x0E7F),
+        (b" ", 0x3920),
+        (b"a", 0x1E61),
+        (b"A", 0x1E41),
+        (b"\x01", 0x1E01),
+        (b"1", 0x0231),
+        (b"!", 0x0221),
+        (b"=", 0x0D3D),
+        (b"z", 0x2C7A),
+        (b"?", 0x353F),
+        (b"~", 0x297E),
+        (b"|", 0x2B7C),
+        (b"\x82", 0x0082),
+    ],
+)
+def test_codes_of_the_bios(keystroke: bytes, code: int) -> None:
+    assert bios_code(keystroke) == code
+
+
+def test_every_character_of_ascii_has_a_scan_code() -> None:
+    assert all(bios_code(bytes((code,))) >> 8 for code in range(32, 128))
+    assert all(bios_code(bytes((code,))) >> 8 for code in range(1, 27))
+
+
+def test_shift_flags() -> None:
+    k = pygame
+    assert shift_flags(0) == 0
+    assert shift_flags(k.KMOD_RSHIFT) == 1
+    assert shift_flags(k.KMOD_LSHIFT | k.KMOD_RCTRL) == 6
+    assert shift_flags(k.KMOD_LALT | k.KMOD_NUM | k.KMOD_CAPS) == 0x68
 
 
 def test_scripts() -> None:

@@ -150,6 +150,59 @@ window.read_key()
         os.kill(fork, signal.SIGKILL)
 
 
+def test_kill_9_of_the_program_again_and_again(program: Start) -> None:
+    for _ in range(5):
+        running = program("while True: card.page(0)[5] ^= 1; window.show()")
+        running.process.kill()
+        assert running.end() == -signal.SIGKILL
+
+
+@pytest.mark.parametrize("busy", ["pass", "card.page(0)[5] ^= 1"])
+def test_a_busy_program_does_not_keep_its_window_from_closing(program: Start, busy: str) -> None:
+    running = program(f"while window._error is None: {busy}\nwindow.show()")
+    os.kill(running.window, signal.SIGTERM)
+    assert running.end() == 1
+    assert running.stderr.endswith("WindowClosed: the window was closed\n")
+
+
+def test_a_stopped_program_does_not_keep_its_window_from_closing(program: Start) -> None:
+    running = program("window.read_key()")
+    os.kill(running.process.pid, signal.SIGSTOP)
+    os.kill(running.window, signal.SIGTERM)
+    wait_until(lambda: gone(running.window))
+    os.kill(running.process.pid, signal.SIGCONT)
+    assert running.end() == 1
+
+
+def test_several_threads_draw(program: Start) -> None:
+    """Every call is whole; what is set (colour, page) is common to all threads."""
+    running = program(
+        """
+import threading
+window.close()
+os.environ["BGI_MONITOR"] = "window"
+import bgi
+from bgi import current
+bgi.initgraph(bgi.VGA, bgi.VGAHI)
+def draw(number):
+    for i in range(300):
+        bgi.line(80 * number, i, 80 * number + 79, i, number + 1)
+        bgi.putpixel(80 * number + i % 80, 400, number + 1)
+        if i % 100 == 0:
+            current.screen.monitor.show()
+threads = [threading.Thread(target=draw, args=[n]) for n in range(8)]
+for thread in threads: thread.start()
+for thread in threads: thread.join()
+print(all(bgi.getpixel(x, y) == x // 80 + 1 for x in range(640) for y in (*range(300), 400)))
+bgi.closegraph()
+"""
+    )
+    assert running.process.stdout
+    assert running.process.stdout.readline() == "True\n"
+    assert running.end() == 0
+    assert running.stderr == ""
+
+
 def test_a_fork_leaves_the_window_alone(program: Start) -> None:
     running = program(
         """

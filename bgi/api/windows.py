@@ -99,8 +99,7 @@ def COLOR(red: Number, green: Number, blue: Number) -> int:
     Source: WinBGIm.
     """
     mixed = tuple(
-        whole(name, part) & 255
-        for name, part in (("red", red), ("green", green), ("blue", blue))
+        whole(name, part) & 255 for name, part in (("red", red), ("green", green), ("blue", blue))
     )
     return SIXTEEN.index(mixed) if mixed in SIXTEEN else rgb.join(*mixed)
 

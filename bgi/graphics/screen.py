@@ -56,9 +56,7 @@ class Screen:
         self._mask = mode.maxcolor if mode.pixel_bytes == 1 else rgb.MASK
         size = mode.width, mode.height
         self.card.set_mode(*size, mode.pages, mode.pixel_bytes, mode.square)
-        self.pages = [
-            Page(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)
-        ]
+        self.pages = [Page(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
         self.palette = Palette(mode, self.card.palette)
         self.aspect = mode.xasp, YASP
         self._arc_coords = arccoordstype(0, 0, 0, 0, 0, 0)

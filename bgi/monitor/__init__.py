@@ -12,8 +12,11 @@ from typing import Protocol
 
 from bgi.card import Card
 from bgi.errors import BGIError
+from bgi.keyboard import KeyQueue
 from bgi.monitor.headless import Headless
 from bgi.monitor.link import Window
+from bgi.monitor.mouse import Mouse
+from bgi.monitor.plan import Plan
 
 __all__ = ["Headless", "Monitor", "Window", "choose"]
 
@@ -29,6 +32,23 @@ class Monitor(Protocol):
 
     def read_key(self) -> int:
         """Wait for a key and return its code; keys without a character are 0, then a scan code."""
+
+    def read_keystroke(self) -> bytes:
+        """Wait for a key and return all of it, one byte or two."""
+
+    @property
+    def keys(self) -> KeyQueue:
+        """The keys that wait."""
+
+    @property
+    def mouse(self) -> Mouse:
+        """The mouse."""
+
+    def sound(self, hertz: int) -> None:
+        """Play a pitch from now on; 0 is silence."""
+
+    def time(self) -> float:
+        """The time, in seconds since 1970."""
 
     def sleep(self, milliseconds: float) -> None:
         """Let so much time pass."""
@@ -46,17 +66,24 @@ def choose(
     """The monitor that BGI_MONITOR names, or a window where there is a display.
 
     `on_lost` is called, from another thread, with the error that every call raises from then on:
-    when the user closes the window or its process dies. ValueError if BGI_MONITOR is neither
-    `window` nor `none`; BGIError if the window cannot be opened.
+    when the user closes the window or its process dies. Where a window cannot be opened one line
+    says why, and drawing goes on without it; but BGIError is raised if BGI_MONITOR asks for it.
+    ValueError if BGI_MONITOR is neither `window` nor `none`, or the plan makes no sense.
     """
     wish = os.environ.get("BGI_MONITOR", "")
     if wish not in ("", "window", "none"):
         raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window' or 'none'")
-    if wish == "window" or (not wish and display_exists()):
-        return Window(card, title, on_lost)
+    plan = Plan.from_environment()
+    if wish == "window":
+        return Window(card, title, on_lost, plan)
     if not wish:
-        _say_that_there_is_no_display()
-    return Headless(title=title)
+        try:
+            if not display_exists():
+                raise BGIError("no display found")
+            return Window(card, title, on_lost, plan)
+        except BGIError as error:
+            _say_that_there_is_no_window(str(error))
+    return Headless(title=title, card=card, plan=plan)
 
 
 def display_exists() -> bool:
@@ -67,9 +94,9 @@ def display_exists() -> bool:
 
 
 @functools.cache  # once is enough
-def _say_that_there_is_no_display() -> None:
+def _say_that_there_is_no_window(reason: str) -> None:
     print(
-        "bgi: no display found, drawing goes on without a window "
+        f"bgi: {reason}; drawing goes on without a window "
         "(for a window set DISPLAY or use ssh -X; BGI_MONITOR=none silences this line)",
         file=sys.stderr,
     )

@@ -17,13 +17,15 @@ from pathlib import Path
 
 from bgi.card import Card
 from bgi.errors import BGIError, WindowClosed
-from bgi.keyboard import KeyQueue
+from bgi.keyboard import PIECE_SECONDS, KeyQueue
+from bgi.monitor.idling import REST_SECONDS, Idling
+from bgi.monitor.mouse import Mouse
+from bgi.monitor.plan import Plan
 from bgi.monitor.protocol import encode, receive
 
 START_SECONDS = 60  # the very first import of pygame on a slow disk takes long
 END_SECONDS = 1
-# Waits are cut into pieces: on Windows Ctrl-C is heard only between two of them.
-PIECE_SECONDS = 0.1
+SAVE_SECONDS = 60  # the same, where a recording is still to be written
 
 
 class Window:
@@ -38,16 +40,23 @@ class Window:
         card: Card,
         title: str = "pybgi",
         on_lost: Callable[[BGIError], None] = lambda error: None,
+        plan: Plan | None = None,
     ) -> None:
+        self._card = card
+        self._plan = plan or Plan()
         self.presents = 0  # how many pictures the window has put on the screen
         self._on_lost = on_lost
         self._owner = os.getpid()
         self._keys = KeyQueue()
+        self._keys.load(self._plan.keys)
+        self._idling = Idling(card)
+        self._mouse = Mouse(self._send)
         self._news = threading.Condition()
         self._error: BGIError | None = None
         self._ready = False
         self._asked = 0
         self._answered = 0
+        self._end_seconds = END_SECONDS
         self._process = _start(card)
         assert self._process.stdin and self._process.stdout
         self._input, self._output = self._process.stdin, self._process.stdout
@@ -61,6 +70,21 @@ class Window:
         except BaseException:
             self.close()
             raise
+        self._follow_plan()
+
+    def _follow_plan(self) -> None:
+        """Record, and come to an end in time, as planned."""
+        if self._plan.record:
+            self._send("record", self._plan.record)
+        if self._plan.after < math.inf:
+            clock = threading.Timer(self._plan.after, self._time_is_up)
+            clock.daemon = True
+            clock.start()
+
+    def _time_is_up(self) -> None:
+        with contextlib.suppress(ValueError):  # the program has just closed the card
+            self._plan.take_shot(self._card)
+        self._lose(WindowClosed(f"{self._plan.after:g} seconds are over, as planned"))
 
     def show(self) -> None:
         """Return when the visible page, as it is now, has been shown."""
@@ -72,14 +96,43 @@ class Window:
         self._wait(lambda: self._answered >= number)
 
     def key_waiting(self) -> bool:
-        """Whether `read_key` would return at once."""
+        """Whether `read_key` would return at once; rests a moment if nothing else is done."""
         self._check()
+        if not self._keys.waiting() and self._idling.asked_in_vain():
+            self._keys.wait(REST_SECONDS)
         return self._keys.waiting()
 
     def read_key(self) -> int:
         """Wait for a key and return its code; keys without a character are 0, then a scan code."""
         self._check()
         return self._keys.get()
+
+    def read_keystroke(self) -> bytes:
+        """Wait for a key and return all of it, one byte or two."""
+        self._check()
+        return self._keys.take()
+
+    @property
+    def keys(self) -> KeyQueue:
+        """The keys that wait."""
+        self._check()
+        return self._keys
+
+    @property
+    def mouse(self) -> Mouse:
+        """The mouse over the window."""
+        self._check()
+        return self._mouse
+
+    def sound(self, hertz: int) -> None:
+        """Play a pitch from now on; 0 is silence."""
+        self._check()
+        self._send("sound", hertz)
+
+    def time(self) -> float:
+        """The time, in seconds since 1970."""
+        self._check()
+        return time.time()
 
     def sleep(self, milliseconds: float) -> None:
         """Let so much time pass."""
@@ -96,10 +149,13 @@ class Window:
         if os.getpid() != self._owner:
             return  # a forked copy of the program: the window is not its own
         atexit.unregister(self.close)
+        if self._ready:
+            with contextlib.suppress(ValueError):  # the card has been closed already
+                self._plan.take_shot(self._card)
         self._lose(BGIError("the window has been closed by the program"), tell=False)
         self._input.close()
         try:
-            self._process.wait(END_SECONDS)
+            self._process.wait(self._end_seconds)
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
@@ -143,12 +199,18 @@ class Window:
                 with self._news:
                     self._answered, self.presents = map(int, rest.split())
                     self._news.notify_all()
+            case "mouse":
+                self._mouse.hear(*map(int, rest.split()))
+            case "shifts":
+                self._keys.shifts = int(rest)
+            case "recording":
+                self._end_seconds = SAVE_SECONDS
             case "ready":
                 with self._news:
                     self._ready = True
                     self._news.notify_all()
             case "failed":
-                self._lose(BGIError(f"no window: {rest} (BGI_MONITOR=none draws without a window)"))
+                self._lose(BGIError(f"no window: {rest}"))
             case "closed":
                 self._lose(WindowClosed("the window was closed"))
 
@@ -169,10 +231,11 @@ def _start(card: Card) -> subprocess.Popen[bytes]:
     # random.py or numpy.py: it runs in the directory that holds the package, not in the user's.
     home = str(Path(__file__).resolve().parents[2])
     path = os.pathsep.join(filter(None, (home, os.environ.get("PYTHONPATH"))))
+    folder = os.path.abspath("")
     try:
         return subprocess.Popen(
             # No warnings: the program has shown them already.
-            [sys.executable, "-W", "ignore", "-m", "bgi.monitor.window", card.handle],
+            [sys.executable, "-W", "ignore", "-m", "bgi.monitor.window", card.handle, folder],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             bufsize=0,

@@ -89,12 +89,6 @@ def true_colours(numbers: Pixels, palette: Colours) -> Pixels:
     return colours
 
 
-def colours(numbers: Pixels, palette: Colours) -> Colours:
-    """Red, green and blue of pixels of four bytes, shape (height, width, 3)."""
-    four = true_colours(numbers, palette).astype("<u4", copy=False)
-    return four.view(np.uint8).reshape(*numbers.shape, 4)[:, :, :3]
-
-
 def surface(frame: Frame, palette: Colours) -> pygame.Surface:
     """The picture of a frame, one pixel for each of the frame's."""
     numbers, size = pixels(frame), (frame.width, frame.height)

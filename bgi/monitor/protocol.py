@@ -1,22 +1,31 @@
 """What crosses between program and window: lines of text, a word and its arguments.
 
-======================  ===========================================================
-to the window           meaning
-======================  ===========================================================
-``show N``              show the visible page now, answer ``shown N``
-``title TEXT``          name the window
-(end of input)          the program has ended: go
-======================  ===========================================================
+========================  ==============================================================
+to the window             meaning
+========================  ==============================================================
+``show N``                show the visible page now, answer ``shown N``
+``title TEXT``            name the window
+``sound HERTZ``           play that pitch; 0: silence
+``pointer STATE``         the mouse driver's arrow is ``shown`` or ``hidden``, or the
+                          ``system`` shows its own
+``move X Y``              put the pointer on that pixel
+``limits L T R B``        keep the pointer in there; without numbers: everywhere
+``record FILE``           record what is on show from now on, until the end
+(end of input)            the program has ended: go
+========================  ==============================================================
 
-======================  ===========================================================
-to the program          meaning
-======================  ===========================================================
-``ready``               the window is open
-``failed REASON``       there is no window
-``key A`` ``key 0 S``   a key was pressed: the bytes of `bgi.keyboard.encode`
-``shown N PRESENTS``    picture N is on show; so many were presented since the start
-``closed``              the user has closed the window
-======================  ===========================================================
+========================  ==============================================================
+to the program            meaning
+========================  ==============================================================
+``ready``                 the window is open
+``failed REASON``         there is no window
+``key A`` ``key 0 S``     a key was pressed: the bytes of `bgi.keyboard.encode`
+``shifts FLAGS``          the Shift keys and their like: `bgi.keyboard.shift_flags`
+``mouse EVENT X Y HELD``  an event of `bgi.monitor.mouse`, where, and the buttons held
+``shown N PRESENTS``      picture N is on show; so many were presented since the start
+``recording``             something is being recorded: writing it will take its time
+``closed``                the user has closed the window
+========================  ==============================================================
 """
 
 import os

@@ -132,9 +132,7 @@ def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     start, end = reduced(start, end)
     if start == end:
         return []
-    points = [
-        point for x, y in quadrant(rx, ry) for point in ((x, -y), (-x, -y), (x, y), (-x, y))
-    ]
+    points = [point for x, y in quadrant(rx, ry) for point in ((x, -y), (-x, -y), (x, y), (-x, y))]
     rx, ry = max(rx, 1), max(ry, 1)
     first, last = point_at(start, rx, ry), point_at(end, rx, ry)
     sweep = (end - start) % 360 or 360

@@ -1,0 +1,83 @@
+"""A recording of what was on show: pictures and their times, written as a GIF that moves.
+
+Pillow writes the file; it comes with `pip install pybgi[record]`. Until then the pictures wait,
+compressed: a minute of a typical program fits into a few megabytes.
+"""
+
+import importlib.util
+import itertools
+import zlib
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from bgi.card import Frame
+from bgi.errors import BGIError
+from bgi.monitor.picture import Colours, pixels, true_colours
+
+TICK = 0.01  # seconds: the GIF's unit of time
+SHORTEST = 2  # ticks: browsers show a picture that is meant to be shorter far too long
+LAST = 0.5  # seconds at least for the last picture, before it all begins again
+
+
+class Recorder:
+    """A recording under way; BGIError, with a line that helps, if Pillow is not installed."""
+
+    def __init__(self, file: str) -> None:
+        if importlib.util.find_spec("PIL") is None:
+            raise BGIError("recording needs Pillow; type: pip install pybgi[record]")
+        self.file = file
+        self._frames: list[tuple[float, Frame, bytes]] = []
+
+    def add(self, now: float, frame: Frame, palette: bytes) -> None:
+        """A picture is on show from `now` (in seconds) on."""
+        packed = frame._replace(pixels=zlib.compress(frame.pixels, 1))
+        self._frames.append((now, packed, palette))
+
+    def save(self, now: float) -> None:
+        """Write what has been on show until `now`, if anything has; OSError if that fails."""
+        kept: list[tuple[int, int]] = []  # from which tick on which picture is seen
+        for number, (then, _, _) in enumerate(self._frames):
+            tick = round(then / TICK)
+            if kept and tick - kept[-1][0] < SHORTEST:
+                tick, _ = kept.pop()  # the later picture takes the place of one hardly seen
+            kept.append((tick, number))
+        if not kept:
+            return
+        ticks = [tick for tick, _ in kept]
+        ticks.append(max(round(now / TICK), ticks[-1] + round(LAST / TICK)))
+        images = self._images([number for _, number in kept])
+        next(images).save(
+            self.file,
+            format="GIF",
+            save_all=True,
+            append_images=images,
+            duration=[round(1000 * TICK * (b - a)) for a, b in itertools.pairwise(ticks)],
+            loop=0,
+            optimize=False,
+        )
+
+    def _images(self, numbers: list[int]) -> Iterator[Any]:
+        """Pillow's images of some of the pictures, all in the size of the first of them."""
+        from PIL import Image
+
+        size = None
+        for number in numbers:
+            _, packed, colours = self._frames[number]
+            frame = packed._replace(pixels=zlib.decompress(packed.pixels))
+            image = _image(frame, np.frombuffer(colours, np.uint8).reshape(256, 3))
+            size = size or image.size
+            yield image if image.size == size else image.resize(size, Image.Resampling.NEAREST)
+
+
+def _image(frame: Frame, palette: Colours) -> Any:
+    from PIL import Image
+
+    size = frame.width, frame.height
+    if frame.pixel_bytes == 1:
+        image = Image.frombytes("P", size, frame.pixels)
+        image.putpalette(palette.tobytes())
+        return image
+    numbers = true_colours(pixels(frame), palette)
+    return Image.frombytes("RGB", size, numbers.tobytes(), "raw", "RGBX").quantize(256)

@@ -1,0 +1,69 @@
+"""The PC's speaker: a square wave, on or off, whose pitch changes without a gap.
+
+The timer chip counted 1,193,180 times a second and flipped the speaker's membrane at every whole
+number of counts; so pitches are not quite what was asked for, as they were not then. SDL asks for
+samples when it needs them (`fill`), and the wave goes on where it was.
+"""
+
+import numpy as np
+import numpy.typing as npt
+
+from bgi.sdl import pygame, quietly
+
+CLOCK = 1_193_180
+RATE = 44_100  # samples a second
+CHUNK = 512  # samples that are asked for at a time: the delay of a change is below 12 ms
+LOUDNESS = 4000  # of 32767: a speaker is no orchestra
+HIGHEST = 20_000  # what nobody hears is not played: it would only fold back
+
+
+class Speaker:
+    """Silent until the first sound; where there is no sound card it stays so."""
+
+    def __init__(self) -> None:
+        self._step = 0.0  # what a sample adds to the phase
+        self._phase = 0.0  # the part of a wave that has been played
+        self._device: object = None
+        self._tried = False
+
+    def sound(self, hertz: int) -> None:
+        """Play a pitch until told otherwise; 0 is silence."""
+        counts = CLOCK // hertz if hertz > 0 else 0
+        frequency = CLOCK / counts if counts else 0.0
+        self._step = frequency / RATE if frequency <= HIGHEST else 0.0
+        if self._step and not self._tried:
+            self._tried = True
+            with quietly():
+                self._device = self._open()
+
+    def fill(self, samples: npt.NDArray[np.int16]) -> None:
+        """Write the next samples."""
+        step = self._step
+        if not step:
+            samples.fill(0)
+            return
+        phases = (self._phase + step * np.arange(len(samples))) % 1.0
+        samples[:] = np.where(phases < 0.5, LOUDNESS, -LOUDNESS)
+        self._phase = (self._phase + step * len(samples)) % 1.0
+
+    def _open(self) -> object:
+        """Start the sound card; None if there is none. It is never paused: that could deadlock."""
+        from pygame import _sdl2  # late, as sound is rare
+        from pygame._sdl2 import audio
+
+        try:
+            _sdl2.init_subsystem(_sdl2.INIT_AUDIO)
+            device = audio.AudioDevice(
+                devicename=audio.get_audio_device_names(False)[0],
+                iscapture=False,
+                frequency=RATE,
+                audioformat=audio.AUDIO_S16,
+                numchannels=1,
+                chunksize=CHUNK,
+                allowed_changes=0,
+                callback=lambda device, memory: self.fill(np.frombuffer(memory, np.int16)),
+            )
+        except (pygame.error, _sdl2.error, IndexError):
+            return None
+        device.pause(0)
+        return device

@@ -1,0 +1,142 @@
+"""The mouse driver of DOS, interrupt 33h, as plain functions: `from bgi import mouse`.
+
+Coordinates are pixels of the screen in every mode (DOS counted by two in modes 320 wide). The
+pointer is drawn by the monitor, over the picture and not into it: there is no need to hide it
+while drawing. Buttons are 0 left, 1 right, 2 middle; sets of buttons are sums of 1, 2 and 4.
+"""
+
+from collections.abc import Callable
+
+from bgi import current
+from bgi.arguments import Number, whole
+from bgi.monitor.mouse import LEFT, MIDDLE, RIGHT, Count, pressed, released
+
+__all__ = [
+    "LEFT",
+    "MIDDLE",
+    "RIGHT",
+    "buttons",
+    "hide",
+    "mickeys",
+    "on_event",
+    "position",
+    "presses",
+    "releases",
+    "reset",
+    "set_horizontal_range",
+    "set_position",
+    "set_vertical_range",
+    "show",
+]
+
+
+def reset() -> int:
+    """Put everything back: pointer hidden and in the middle, no limits, no handler (AX = 0).
+
+    Returns the number of buttons, 3.
+    """
+    mode = current.screen.mode
+    current.screen.monitor.mouse.reset(mode.width // 2, mode.height // 2)
+    return 3
+
+
+def show() -> None:
+    """Show the pointer, if hide() has not been called oftener than show() since (AX = 1)."""
+    current.screen.monitor.mouse.show()
+
+
+def hide() -> None:
+    """Hide the pointer (AX = 2)."""
+    current.screen.monitor.mouse.hide()
+
+
+def position() -> tuple[int, int]:
+    """Return where the mouse is: x, y (AX = 3)."""
+    mouse = current.screen.monitor.mouse
+    return mouse.x, mouse.y
+
+
+def buttons() -> int:
+    """Return which buttons are down: 1 left + 2 right + 4 middle (AX = 3)."""
+    return current.screen.monitor.mouse.buttons
+
+
+def set_position(x: Number, y: Number) -> None:
+    """Move the pointer to x, y, or as near as the ranges allow (AX = 4)."""
+    mode, mouse = current.screen.mode, current.screen.monitor.mouse
+    place = whole("x", x), whole("y", y)
+    mouse.move(min(max(place[0], 0), mode.width - 1), min(max(place[1], 0), mode.height - 1))
+
+
+def presses(button: Number) -> Count:
+    """Return how often a button was pressed since this was last asked: times, x, y (AX = 5).
+
+    x and y are where it was last pressed. ValueError if button is not 0, 1 or 2.
+    """
+    return current.screen.monitor.mouse.take_count(pressed(_button(button)))
+
+
+def releases(button: Number) -> Count:
+    """Return how often a button was released since this was last asked: times, x, y (AX = 6).
+
+    x and y are where it was last released. ValueError if button is not 0, 1 or 2.
+    """
+    return current.screen.monitor.mouse.take_count(released(_button(button)))
+
+
+def set_horizontal_range(low: Number, high: Number) -> None:
+    """Keep the pointer's x from low to high, in either order; moves it there at once (AX = 7)."""
+    left, right = sorted((whole("low", low), whole("high", high)))
+    _, top, _, bottom = _limits()
+    width = current.screen.mode.width
+    current.screen.monitor.mouse.limit(max(left, 0), top, min(right, width - 1), bottom)
+
+
+def set_vertical_range(low: Number, high: Number) -> None:
+    """Keep the pointer's y from low to high, in either order; moves it there at once (AX = 8)."""
+    top, bottom = sorted((whole("low", low), whole("high", high)))
+    left, _, right, _ = _limits()
+    height = current.screen.mode.height
+    current.screen.monitor.mouse.limit(left, max(top, 0), right, min(bottom, height - 1))
+
+
+def mickeys() -> tuple[int, int]:
+    """Return how far the mouse has moved since this was last asked, across and down (AX = 0Bh).
+
+    By the driver's default a pixel is one mickey across and two down.
+    """
+    across, down = current.screen.monitor.mouse.take_motion()
+    return across, 2 * down
+
+
+def on_event(mask: Number, handler: Callable[[int, int, int, int], object] | None) -> None:
+    """Have a function called for events (AX = 0Ch).
+
+    Args:
+        mask: which, as a sum of 1 mouse moved, 2 and 4 left button pressed and released, 8 and 16
+            right, 32 and 64 middle.
+        handler: called with the event, the buttons down, x and y, in a thread of its own; None:
+            no function any more.
+    """
+    wanted = whole("mask", mask)
+    handlers = current.screen.monitor.mouse.handlers
+    if handler is None:
+        handlers.pop(0, None)
+        return
+
+    handlers[0] = lambda event: (
+        handler(event.event, event.buttons, event.x, event.y) if event.event & wanted else None
+    )
+
+
+def _limits() -> tuple[int, int, int, int]:
+    mode = current.screen.mode
+    limits = current.screen.monitor.mouse.limits
+    return limits or (0, 0, mode.width - 1, mode.height - 1)
+
+
+def _button(button: Number) -> int:
+    number = whole("button", button)
+    if number not in (LEFT, RIGHT, MIDDLE):
+        raise ValueError(f"button must be 0 (left), 1 (right) or 2 (middle), not {number}")
+    return number
