@@ -17,8 +17,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.constants import VGA
 from bgi import rgb
+from bgi.constants import VGA
 from bgi.modes import GraphicsMode
 
 RGB = tuple[int, int, int]

@@ -7,19 +7,91 @@ from bgi import kernel
 from bgi.fonts.table import FontTable
 from bgi.kernel import DriverTable
 
-MANUAL = """
-arc bar bar3d circle cleardevice clearviewport closegraph detectgraph drawpoly ellipse fillellipse
-fillpoly floodfill getarccoords getaspectratio getbkcolor getcolor getdefaultpalette getdrivername
-getfillpattern getfillsettings getgraphmode getimage getlinesettings getmaxcolor getmaxmode getmaxx
-getmaxy getmodename getmoderange getpalette getpalettesize getpixel gettextsettings getviewsettings
-getx gety graphdefaults grapherrormsg _graphfreemem _graphgetmem graphresult imagesize initgraph
-installuserdriver installuserfont line linerel lineto moverel moveto outtext outtextxy pieslice
-putimage putpixel rectangle registerbgidriver registerbgifont registerfarbgidriver
-registerfarbgifont restorecrtmode sector setactivepage setallpalette setaspectratio setbkcolor
-setcolor setfillpattern setfillstyle setgraphbufsize setgraphmode setlinestyle setpalette
-setrgbpalette settextjustify settextstyle setusercharsize setviewport setvisualpage setwritemode
-textheight textwidth
-""".split()
+MANUAL = [
+    "arc",
+    "bar",
+    "bar3d",
+    "circle",
+    "cleardevice",
+    "clearviewport",
+    "closegraph",
+    "detectgraph",
+    "drawpoly",
+    "ellipse",
+    "fillellipse",
+    "fillpoly",
+    "floodfill",
+    "getarccoords",
+    "getaspectratio",
+    "getbkcolor",
+    "getcolor",
+    "getdefaultpalette",
+    "getdrivername",
+    "getfillpattern",
+    "getfillsettings",
+    "getgraphmode",
+    "getimage",
+    "getlinesettings",
+    "getmaxcolor",
+    "getmaxmode",
+    "getmaxx",
+    "getmaxy",
+    "getmodename",
+    "getmoderange",
+    "getpalette",
+    "getpalettesize",
+    "getpixel",
+    "gettextsettings",
+    "getviewsettings",
+    "getx",
+    "gety",
+    "graphdefaults",
+    "grapherrormsg",
+    "_graphfreemem",
+    "_graphgetmem",
+    "graphresult",
+    "imagesize",
+    "initgraph",
+    "installuserdriver",
+    "installuserfont",
+    "line",
+    "linerel",
+    "lineto",
+    "moverel",
+    "moveto",
+    "outtext",
+    "outtextxy",
+    "pieslice",
+    "putimage",
+    "putpixel",
+    "rectangle",
+    "registerbgidriver",
+    "registerbgifont",
+    "registerfarbgidriver",
+    "registerfarbgifont",
+    "restorecrtmode",
+    "sector",
+    "setactivepage",
+    "setallpalette",
+    "setaspectratio",
+    "setbkcolor",
+    "setcolor",
+    "setfillpattern",
+    "setfillstyle",
+    "setgraphbufsize",
+    "setgraphmode",
+    "setlinestyle",
+    "setpalette",
+    "setrgbpalette",
+    "settextjustify",
+    "settextstyle",
+    "setusercharsize",
+    "setviewport",
+    "setvisualpage",
+    "setwritemode",
+    "textheight",
+    "textwidth",
+]
 
 
 @pytest.fixture(autouse=True)
