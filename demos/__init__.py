@@ -33,6 +33,7 @@ NAMES = (
     "piano",
     "keys",
     "clock",
+    "two_windows",
 )
 """The demos, in the order in which to learn from them."""
 

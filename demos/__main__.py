@@ -19,7 +19,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     names = (options.name,) if options.name else NAMES
     if options.list:
         for name in names:
-            print(f"{name:12}{summary(load(name))}")
+            print(f"{name:13}{summary(load(name))}")
         return 0
     if options.save is None and not os.environ.get("BGI_MONITOR") and not display_exists():
         print(NO_DISPLAY, file=sys.stderr)

@@ -38,6 +38,7 @@ KEYS = {
     "piano": "a w k Esc",
     "keys": "a Up F1 Esc",
     "clock": "x",
+    "two_windows": "x",
 }
 
 
