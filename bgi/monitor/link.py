@@ -89,10 +89,10 @@ class Window:
     def show(self) -> None:
         """Return when the visible page, as it is now, has been shown."""
         self._check()
-        with self._news:
+        with self._news:  # sent before any later number: the child answers the last it has read
             self._asked += 1
             number = self._asked
-        self._send("show", number)
+            self._send("show", number)
         self._wait(lambda: self._answered >= number)
 
     def key_waiting(self) -> bool:
