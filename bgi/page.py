@@ -47,7 +47,8 @@ class Page:
         self._row = self.flat.data
         self._surface = pygame.image.frombuffer(memory, (width, height), _FORMAT[pixel_bytes])
         self._marks = bytearray(width * height), bytearray(width * height)
-        self.clip_to((0, 0, width - 1, height - 1))
+        self._all = 0, 0, width - 1, height - 1
+        self.clip_to(self._all)
 
     def clip_to(self, box: Box) -> None:
         """Confine all drawing to left, top, right, bottom (inclusive, within the page)."""
@@ -71,13 +72,13 @@ class Page:
 
     def get_many(self, x: Ints, y: Ints) -> Pixels:
         """`get` for arrays."""
-        inside = _within(x, y, (0, 0, self.width - 1, self.height - 1))
+        inside = _within(x, y, self._all)
         values = np.zeros(len(x), dtype=self.flat.dtype)
         place = y[inside] * self.width + x[inside]
         values[inside] = self.flat[place.astype(np.int64, copy=False)]
         return values
 
-    def put_many(self, x: Ints, y: Ints, values: Ints | int, xor: bool = False) -> None:
+    def put_many(self, x: Ints, y: Ints, values: Ints | int) -> None:
         """`put` for arrays, in order: where pixels coincide the last one stays."""
         if len(x) == 0:
             return
@@ -87,13 +88,7 @@ class Page:
             x = x[inside].astype(np.int64, copy=False)
             y = y[inside].astype(np.int64, copy=False)
             values = values if isinstance(values, int) else values[inside]
-        self._set(y * self.width + x, values, xor)
-
-    def _set(self, place: Ints, values: Ints | int, xor: bool) -> None:
-        if xor:
-            np.bitwise_xor.at(self.flat, place, np.asarray(values).astype(self.flat.dtype))
-        else:
-            self.flat[place] = values
+        self.flat[y * self.width + x] = values
 
     # Lines
 
@@ -131,7 +126,10 @@ class Page:
     def lines(self, segments: Segments, colors: Ints, pattern: Mask, xor: bool) -> None:
         """Thin lines one after another, each in its colour."""
         for place, line in self._trace(segments, pattern):
-            self._set(place, colors[line], xor)
+            if xor:  # where lines cross, both count
+                np.bitwise_xor.at(self.flat, place, colors[line].astype(self.flat.dtype))
+            else:
+                self.flat[place] = colors[line]
 
     def _trace(self, segments: Segments, pattern: Mask) -> Iterator[tuple[Ints, Ints]]:
         """The pixels of many lines, clipped: their places, and which line each belongs to."""
@@ -298,31 +296,27 @@ class Page:
 
     def stamp(self, x: int, y: int, mask: Mask, color: int) -> None:
         """Put a colour wherever `mask`, its top left corner at x, y, is True."""
-        height, width = mask.shape
-        left, top = max(x, self._left), max(y, self._top)
-        right, bottom = min(x + width, self._right + 1), min(y + height, self._bottom + 1)
-        if left < right and top < bottom:
-            part = self.array[top:bottom, left:right]
-            np.copyto(part, color, where=mask[top - y : bottom - y, left - x : right - x])
+        found = _overlap(x, y, mask.shape, self.box)
+        if found:
+            here, there = found
+            np.copyto(self.array[here], color, where=mask[there])
 
     def copy(self, x: int, y: int, width: int, height: int) -> Pixels:
         """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""
         taken = np.zeros((height, width), dtype=self.flat.dtype)
-        left, right = max(x, 0), min(x + width, self.width)
-        top, bottom = max(y, 0), min(y + height, self.height)
-        if left < right and top < bottom:
-            taken[top - y : bottom - y, left - x : right - x] = self.array[top:bottom, left:right]
+        found = _overlap(x, y, taken.shape, self._all)
+        if found:
+            here, there = found
+            taken[there] = self.array[here]
         return taken
 
     def combine(self, x: int, y: int, image: Pixels, op: int, mask: int) -> None:
         """Put an image with its corner at x, y by a putimage operator, cut at the page's edges."""
-        height, width = image.shape
-        left, right = max(x, 0), min(x + width, self.width)
-        top, bottom = max(y, 0), min(y + height, self.height)
-        if left < right and top < bottom:
-            part = self.array[top:bottom, left:right]
-            shown = image[top - y : bottom - y, left - x : right - x]
-            _OPERATORS[op](part, shown & self.flat.dtype.type(mask), self.flat.dtype.type(mask))
+        found = _overlap(x, y, image.shape, self._all)
+        if found:
+            here, there = found
+            bits = self.flat.dtype.type(mask)
+            _OPERATORS[op](self.array[here], image[there] & bits, bits)
 
     def clear(self) -> None:
         """The whole page becomes index 0, whatever the clipping box."""
@@ -357,6 +351,20 @@ def _not(part: Pixels, image: Pixels, mask: Any) -> None:
 
 _OPERATORS = [_copy, _xor, _or, _and, _not]
 """By number: COPY_PUT, XOR_PUT, OR_PUT, AND_PUT, NOT_PUT."""
+
+
+Part = tuple[slice, slice]
+"""Rows and columns of an array."""
+
+
+def _overlap(x: int, y: int, shape: tuple[int, ...], box: Box) -> tuple[Part, Part] | None:
+    """Where a picture of that shape at x, y meets a box: on the page, and in the picture."""
+    left, top = max(x, box[0]), max(y, box[1])
+    right, bottom = min(x + shape[1], box[2] + 1), min(y + shape[0], box[3] + 1)
+    if left >= right or top >= bottom:
+        return None
+    there = slice(top - y, bottom - y), slice(left - x, right - x)
+    return (slice(top, bottom), slice(left, right)), there
 
 
 def _within(x: Ints, y: Ints, box: Box) -> Mask:
