@@ -51,9 +51,10 @@ class Image:
             raise ValueError(
                 f"an image has one of {', '.join(map(str, _LAYOUTS))} colours, not {self.colors}"
             )
-        if array.itemsize != 4 and (array.min() < 0 or array.max() >= self.colors):
+        own_colors = array.dtype == np.uint32  # pixels of a window
+        if not own_colors and (array.min() < 0 or array.max() >= self.colors):
             raise ValueError(f"an image of {self.colors} colours holds 0..{self.colors - 1}")
-        object.__setattr__(self, "array", array if array.itemsize == 4 else array.astype(np.uint8))
+        object.__setattr__(self, "array", array if own_colors else array.astype(np.uint8))
 
     @property
     def width(self) -> int:

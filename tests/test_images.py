@@ -164,6 +164,7 @@ def test_notebooks_show_screens_and_images(vga, tmp_path):
         (np.zeros(5, np.uint8), 16),
         (np.zeros((0, 3), np.uint8), 16),
         ([[300]], 16),
+        (np.full((1, 1), 300, np.int32), 16),
         ([[-1]], 16),
         ([[1]], 17),
         ("ab", 16),
