@@ -99,8 +99,9 @@ def polygon_points(points: object, flat: object) -> list[tuple[int, int]] | NDAr
         return list(zip(numbers[0 : 2 * count : 2], numbers[1 : 2 * count : 2], strict=True))
     if type(points) is list or type(points) is tuple:
         with suppress(TypeError, ValueError):  # anything but pairs of ints goes the longer way
-            if all(type(x) is int and type(y) is int for x, y in points):
-                return [(x, y) for x, y in points]
+            whole_pairs = [(x, y) for x, y in points if type(x) is int and type(y) is int]
+            if len(whole_pairs) == len(points):
+                return whole_pairs
     array = whole_array("points", points)
     if array.ndim == 1 and len(array) % 2 == 0:
         array = array.reshape(-1, 2)

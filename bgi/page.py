@@ -205,8 +205,8 @@ class Page:
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
         """Rows of pixels (y within the clipping box) in a fill pattern."""
         left, right, width, pixels = self._left, self._right, self.width, self._row
-        ink = _line_of(color, width, self.flat.dtype)
-        mask = None if pattern == SOLID_ROWS else screen_mask(pattern, width, self.height)
+        solid = _rows_of(color, width, self.flat.dtype) if pattern == SOLID_ROWS else None
+        mask = screen_mask(pattern, width, self.height)
         for y, a, b in zip(*where, strict=True):
             if a > b:
                 a, b = b, a
@@ -216,9 +216,9 @@ class Page:
                 b = right
             if a > b:
                 continue
-            if mask is None:
-                start = y * width
-                pixels[start + a : start + b + 1] = ink[: b + 1 - a]
+            if solid:
+                y *= width
+                pixels[y + a : y + b + 1] = solid[b - a]
             else:
                 self.array[y, a : b + 1] = self._inked(mask[y, a : b + 1], color)
 
@@ -323,10 +323,11 @@ class Page:
         self.flat.fill(0)
 
 
-@lru_cache(maxsize=64)
-def _line_of(color: int, width: int, dtype: np.dtype[Any]) -> memoryview:
-    """A line of pixels of one colour, to copy from."""
-    return np.full(width, color, dtype).data
+@lru_cache(maxsize=32)
+def _rows_of(color: int, width: int, dtype: np.dtype[Any]) -> list[memoryview]:
+    """Rows of one colour to copy from, one pixel long, two, and so on up to `width`."""
+    row = np.full(width, color, dtype).data
+    return [row[:length] for length in range(1, width + 1)]
 
 
 def _copy(part: Pixels, image: Pixels, mask: Any) -> None:

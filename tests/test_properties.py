@@ -7,7 +7,9 @@ from hypothesis import strategies as st
 
 from bgi import VGA, VGAHI, errors
 from bgi.graphics import Graphics
+from bgi.graphics.lines import FEW
 from bgi.modes import find
+from bgi.raster import polygons
 
 LEFT, TOP, RIGHT, BOTTOM = 40, 30, 139, 99
 near = st.integers(-60, 160)
@@ -98,6 +100,18 @@ def test_array_of_polygons_is_a_loop_of_calls(style, corners, data):
         inks = {"fill": fills, "color": colors} if call == "fillpoly" else {"color": colors}
         getattr(many, call)(np.array(points), **inks)
         assert (one.page.array == many.page.array).all(), call
+
+
+@quick
+@given(style=styles, points=st.lists(st.tuples(huge, huge), min_size=2, max_size=8))
+def test_a_figure_of_many_lines_is_a_loop_of_lines(style, points):
+    """Of very many lines the page gets all at once."""
+    one, many = screen(style), screen(style)
+    corners = [(x + turn, y) for turn in range(FEW) for x, y in points]
+    for side in polygons.edges(corners):
+        one.line(*side)
+    many.drawpoly(corners)
+    assert (one.page.array == many.page.array).all()
 
 
 @pytest.mark.parametrize("name", NUMBERS)

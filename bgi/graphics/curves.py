@@ -182,8 +182,7 @@ class Curves(Fills):
         for first, last in curves.quarters(start, end):
             arc = [(cx + dx, cy + dy) for dx, dy in curves.arc(first, last, rx, ry)]
             self._fill_area([*arc, (cx, cy)], fill)
-            for side in polygons.edges(arc):
-                self._segment(*side, color)
+            self._sides(polygons.edges(arc), color)
         for angle in (start, end):  # without an angle between them both radii are a dot
             dx, dy = curves.point_at(angle, rx, ry) if start < end else (0, 0)
             self._segment(cx, cy, cx + dx, cy + dy, color)

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from bgi.arguments import Numbers, polygon_points
 from bgi.graphics.lines import Lines
 from bgi.raster import lines, polygons
-from bgi.raster.lines import Segment
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import NO_SPANS, Point
 
@@ -109,19 +108,16 @@ class Fills(Lines):
             self._fill_polygons(corners + self._origin, fills, colors)
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
-        sides = self._fill_area(points, fill)
+        self._fill_area(points, fill)
         if color:  # an outline in colour 0 is not drawn
-            for side in sides:
-                self._segment(*side, color)
+            self._sides(polygons.edges([*points, *points[:1]]), color)
 
-    def _fill_area(self, points: list[Point], fill: int) -> list[Segment]:
-        """Fill a polygon, which is closed first; returns its sides."""
-        sides = polygons.edges([*points, *points[:1]])
+    def _fill_area(self, points: list[Point], fill: int) -> None:
+        """Fill a polygon, which is closed first."""
         rows = self.settings.fill_rows
         if rows != EMPTY_ROWS:  # EMPTY_FILL leaves a polygon's interior alone
             _, top, _, bottom = self.page.box
-            self.page.fill_rows(polygons.scan(sides, top, bottom), fill, rows)
-        return sides
+            self.page.fill_rows(polygons.scan(points, top, bottom), fill, rows)
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]

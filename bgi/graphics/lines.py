@@ -18,8 +18,11 @@ from bgi.arguments import (
 )
 from bgi.graphics.screen import Screen
 from bgi.raster import lines, polygons
-from bgi.raster.lines import Segments
+from bgi.raster.lines import Segment, Segments
 from bgi.raster.polygons import Point
+
+FEW = 256
+"""So many lines are drawn one by one as fast as together."""
 
 
 class Lines(Screen):
@@ -108,6 +111,15 @@ class Lines(Screen):
             else:
                 self.page.styled_line(strand, color, self._pattern, self._xor)
 
+    def _sides(self, sides: list[Segment], color: int) -> None:
+        """The lines of one figure; of a very large one few can be seen, and arrays find them."""
+        if len(sides) < FEW:
+            for side in sides:
+                self._segment(*side, color)
+        else:
+            x1, y1, x2, y2 = whole_array("sides", sides).T
+            self._segments((x1, y1, x2, y2), np.full(len(sides), color))
+
     def _segments(self, segments: Segments, colors: NDArray[Any]) -> None:
         """Many lines between absolute points, each in its colour."""
         if self._thick:
@@ -163,8 +175,7 @@ class Lines(Screen):
         corners = polygon_points(points, flat)
         if isinstance(corners, list):
             ink = self._one_color("color", color, self.settings.color)
-            for side in polygons.edges(self._shifted(corners)):
-                self._segment(*side, ink)
+            self._sides(polygons.edges(self._shifted(corners)), ink)
         else:
             sides, real = polygons.edges_many(corners + self._origin)
             colors = self._colors("color", color, self.settings.color, len(corners))
@@ -174,7 +185,7 @@ class Lines(Screen):
 
     def _shifted(self, points: list[Point]) -> list[Point]:
         dx, dy = self._origin
-        return [(x + dx, y + dy) for x, y in points]
+        return [(x + dx, y + dy) for x, y in points] if dx or dy else points
 
     def _one_color(self, name: str, value: Numbers | None, default: int) -> int:
         return default if value is None else whole(name, value) & self._mask

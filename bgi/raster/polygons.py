@@ -40,7 +40,7 @@ NO_SPANS = Spans(_NO_INTS, _NO_INTS, _NO_INTS, _NO_INTS)
 
 
 def paths(points: Sequence[Point]) -> list[list[Point]]:
-    """Split a polygon where a path returns to its first point."""
+    """Split a polygon where a path returns to its first point; a lone last point is no path."""
     found: list[list[Point]] = []
     path: list[Point] = []
     for point in points:
@@ -50,7 +50,7 @@ def paths(points: Sequence[Point]) -> list[list[Point]]:
             path.append(point)
             found.append(path)
             path = []
-    if path:
+    if len(path) > 1:
         found.append(path)
     return found
 
@@ -60,36 +60,44 @@ def edges(points: Sequence[Point]) -> list[Segment]:
     return [(*start, *end) for path in paths(points) for start, end in pairwise(path)]
 
 
-def scan(sides: Sequence[Segment], top: int, bottom: int) -> Rows:
-    """The rows that fill one polygon given by its sides, as far as top..bottom show them."""
-    ends = [side[1] for side in sides] + [side[3] for side in sides]
-    top, bottom = max(top, min(ends, default=0)), min(bottom, max(ends, default=0) - 1)
+def scan(points: Sequence[Point], top: int, bottom: int) -> Rows:
+    """The rows that fill one polygon, as far as top..bottom show them."""
+    outline = paths([*points, *points[:1]])
+    heights = [y for _, y in points]
+    top, bottom = max(top, min(heights, default=0)), min(bottom, max(heights, default=0) - 1)
     height = max(0, bottom + 1 - top)
     down, up = [0] * height, [0] * height
     found: list[tuple[int, list[int]]] = []
     rows_down = rows_up = 0
-    for x1, y1, x2, y2 in sides:
-        chain = down if y1 < y2 else up
-        if y2 < y1:
-            x1, y1, x2, y2 = x2, y2, x1, y1
-        first, last = max(y1, top), min(y2, bottom + 1)
-        if first >= last:
-            continue
-        dx, dy = x2 - x1, y2 - y1
-        if dx < 0:
-            crossings = [x1 - t * -dx // dy for t in range(first - y1, last - y1)]
-        else:
-            crossings = [x1 + t * dx // dy for t in range(first - y1, last - y1)]
-        chain[first - top : last - top] = crossings
-        found.append((first - top, crossings))
-        if chain is down:
-            rows_down += last - first
-        else:
-            rows_up += last - first
-    ring = all(a[2:] == b[:2] for a, b in pairwise([*sides, *sides[:1]]))
-    if ring and rows_down == rows_up == height:  # every row is crossed once down, once up
-        return range(top, bottom + 1), down, up
+    for path in outline:
+        for (x1, y1), (x2, y2) in pairwise(path):
+            falling = y1 < y2
+            if not falling:
+                x1, y1, x2, y2 = x2, y2, x1, y1
+            first = y1 if y1 > top else top
+            last = y2 if y2 <= bottom else bottom + 1
+            if first >= last:
+                continue
+            crossings = _walk(x1, x2 - x1, y2 - y1, first - y1, last - first)
+            found.append((first - top, crossings))
+            if falling:
+                down[first - top : last - top] = crossings
+                rows_down += last - first
+            else:
+                up[first - top : last - top] = crossings
+                rows_up += last - first
+    if len(outline) == 1 and rows_down == rows_up == height:
+        return range(top, bottom + 1), down, up  # every row is crossed once down, once up
     return _paired(found, top, height)
+
+
+def _walk(x: int, dx: int, dy: int, below: int, rows: int) -> list[int]:
+    """Where a side from x on crosses `rows` rows, the first of them `below` rows down."""
+    if dx == 0:
+        return [x] * rows
+    # The quotient toward zero is the floor of a fall to the right, the ceiling of one to the left.
+    start = x * dy + below * dx + (dy - 1 if dx < 0 else 0)
+    return [numerator // dy for numerator in range(start, start + rows * dx, dx)]
 
 
 def _paired(found: list[tuple[int, list[int]]], top: int, height: int) -> Rows:
