@@ -75,9 +75,11 @@ class Image:
         return png(self.array, np.array(DEFAULTS["IBM8514"][1], dtype=np.uint8))
 
     def __bytes__(self) -> bytes:
-        """The image in Borland's layout; ValueError if a side is too long for its words."""
+        """The image in Borland's layout; ValueError for what that cannot hold."""
         if self.width > 0x10000 or self.height > 0x10000:
             raise ValueError(f"{self!r} is too large for Borland's layout: 65536 pixels a side")
+        if self.array.max() >= self.colors:
+            raise ValueError(f"{self!r} holds RGB colours: Borland's layout has only indices")
         planes, bits = row_layout(self.colors)
         shifts = np.arange(planes * bits - 1, -1, -1, dtype=np.uint8)
         every = self.array[:, :, None] >> shifts & 1  # (height, width, bit), highest first

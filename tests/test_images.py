@@ -186,3 +186,12 @@ def test_wrong_images(vga):
             vga.putimage(0, 0, wrong, 0)
     with pytest.raises(ValueError, match="needs"):
         vga.putimage(0, 0, b"\x05\x00\x05\x00", 0)
+
+
+def test_rgb_colours_have_no_place_in_borlands_layout():
+    bgi.initwindow(20, 10)
+    bgi.putpixel(3, 4, bgi.RED)
+    assert Image.frombytes(bytes(bgi.getimage(0, 0, 7, 7))).array[4, 3] == bgi.RED
+    bgi.putpixel(3, 5, bgi.COLOR(1, 2, 3))
+    with pytest.raises(ValueError, match="RGB colours"):
+        bytes(bgi.getimage(0, 0, 7, 7))
