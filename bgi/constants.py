@@ -105,6 +105,7 @@ LIGHTMAGENTA = 13
 YELLOW = 14
 WHITE = 15
 MAXCOLORS = 15
+BLINK = 128  # of text modes only
 
 # Colours of the CGA's four palettes (CGA_COLORS)
 CGA_LIGHTGREEN = 1

@@ -1,6 +1,7 @@
 """The structures of graphics.h, and the settings that graphdefaults() resets."""
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from bgi.constants import (
     COPY_PUT,
@@ -14,6 +15,13 @@ from bgi.constants import (
 )
 from bgi.fonts.layout import SIZES, Scale
 from bgi.raster.patterns import SOLID_ROWS
+
+
+class pointtype(NamedTuple):
+    """A corner of a polygon: drawpoly() and fillpoly() take a list of these, or of plain pairs."""
+
+    x: int
+    y: int
 
 
 @dataclass(slots=True)
