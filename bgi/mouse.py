@@ -27,6 +27,7 @@ __all__ = [
     "set_position",
     "set_vertical_range",
     "show",
+    "wheel",
 ]
 
 
@@ -107,6 +108,14 @@ def mickeys() -> tuple[int, int]:
     """
     across, down = current.screen.monitor.mouse.take_motion()
     return across, 2 * down
+
+
+def wheel() -> int:
+    """Return how far the wheel was turned since this was last asked, in clicks; up is negative.
+
+    Later mouse drivers had it (BH of AX = 3).
+    """
+    return current.screen.monitor.mouse.take_wheel()
 
 
 def on_event(mask: Number, handler: Callable[[int, int, int, int], object] | None) -> None:

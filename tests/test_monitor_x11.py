@@ -316,6 +316,15 @@ def test_the_mouse_in_pixels_of_the_page(seen: Window) -> None:
     wait_until(lambda: seen.mouse.has(WM_RBUTTONUP))
     assert seen.mouse.take_count(pressed(0)) == (1, 100, 8)
     assert seen.mouse.take_count(released(1)) == (1, 100, 8)
+    tool("xdotool", "click", "4", "click", "5", "click", "5", "click", "5")  # the wheel
+    turned = 0
+
+    def wheel() -> int:
+        nonlocal turned
+        turned += seen.mouse.take_wheel()
+        return turned
+
+    wait_until(lambda: wheel() == 2)
     tool("xdotool", "windowsize", number_of(seen), "1000", "600")  # the picture: 640x480 at 180, 60
     wait_until(lambda: size_of(seen) == "1000x600")
     seen.sleep(100)

@@ -183,6 +183,13 @@ def test_mickeys() -> None:
     assert mouse.mickeys() == (0, 0)
 
 
+def test_wheel() -> None:
+    for turned in (-1, -1, -1, 1):
+        current.screen.monitor.mouse.roll(turned)
+    assert mouse.wheel() == -2
+    assert mouse.wheel() == 0
+
+
 def test_on_event() -> None:
     calls = []
     done = threading.Event()

@@ -9,6 +9,7 @@ from bgi.monitor.screen import Screen
 from bgi.sdl import pygame
 
 _BUTTONS = {1: mouse.LEFT, 2: mouse.MIDDLE, 3: mouse.RIGHT}  # by pygame's numbers
+_WHEEL = {4: -1, 5: 1}
 _LOCKS = pygame.KMOD_NUM | pygame.KMOD_CAPS
 REPEAT_SECONDS = 0.6  # longer than any keyboard waits before a key repeats
 _MODIFIERS = pygame.KMOD_SHIFT | pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
@@ -77,7 +78,9 @@ class Inputs:
 
     def _click(self, event: pygame.event.Event) -> None:
         button = _BUTTONS.get(event.button)
-        if button is None:  # a wheel
+        if button is None:
+            if event.type == pygame.MOUSEBUTTONDOWN and event.button in _WHEEL:
+                self._send("wheel", _WHEEL[event.button])
             return
         self._go(self._screen.to_page(event.pos))
         self._moved = False

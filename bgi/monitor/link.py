@@ -201,6 +201,8 @@ class Window:
                     self._news.notify_all()
             case "mouse":
                 self._mouse.hear(*map(int, rest.split()))
+            case "wheel":
+                self._mouse.roll(int(rest))
             case "shifts":
                 self._keys.shifts = int(rest)
             case "recording":

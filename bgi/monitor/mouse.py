@@ -74,6 +74,7 @@ class Mouse:
         self._limits: tuple[int, int, int, int] | None = None
         self._counts: dict[int, Count] = {}
         self._moved = (0, 0)
+        self._rolled = 0
         self._clicks = {kind: deque[tuple[int, int]](maxlen=1) for kind in KINDS}
         self._last_click = (-1, 0, 0, 0.0)
         self._events: queue.SimpleQueue[Event] | None = None
@@ -89,6 +90,11 @@ class Mouse:
             self._clicks[message].append((x, y))
         if self.handlers:
             self._dispatch(Event(event, message, x, y, buttons))
+
+    def roll(self, clicks: int) -> None:
+        """Take note of a turn of the wheel."""
+        with self._lock:
+            self._rolled += clicks
 
     def _message(self, event: int, x: int, y: int) -> int:
         if event == MOVED:
@@ -114,6 +120,7 @@ class Mouse:
             self._limits = None
             self._counts.clear()
             self._moved = (0, 0)
+            self._rolled = 0
             self.handlers.pop(0, None)
         self._tell("limits")
         self._tell("pointer", "system")
@@ -161,6 +168,12 @@ class Mouse:
         with self._lock:
             moved, self._moved = self._moved, (0, 0)
             return moved
+
+    def take_wheel(self) -> int:
+        """How far the wheel has been turned since this was last asked for."""
+        with self._lock:
+            rolled, self._rolled = self._rolled, 0
+            return rolled
 
     # Windows
 
