@@ -91,6 +91,7 @@ class Frame:
 
     def axes(self, names: Sequence[str]) -> None:
         """Ticks, numbers and names, each axis at an edge of the outline."""
+        taken: list[tuple[FloatArray, FloatArray]] = []
         for axis, name in enumerate(names):
             outline = [(start, stop) for start, stop, n in self._edges(axis) if n == 1]
             # Of the two, the lower one on the screen; for z the left one.
@@ -98,13 +99,21 @@ class Frame:
             sign = 1 if axis == 2 else -1
             if outline:
                 start, stop = min(outline, key=lambda edge: sign * self._middle(edge)[side])
-                self._axis(axis, name, start, stop)
+                self._axis(axis, name, start, stop, taken)
 
     def _middle(self, points: tuple[FloatArray, FloatArray]) -> FloatArray:
         middle: FloatArray = apply((points[0] + points[1]) / 2, self.view.screen)[:2]
         return middle
 
-    def _axis(self, axis: int, name: str, start: FloatArray, stop: FloatArray) -> None:
+    def _axis(
+        self,
+        axis: int,
+        name: str,
+        start: FloatArray,
+        stop: FloatArray,
+        taken: list[tuple[FloatArray, FloatArray]],
+    ) -> None:
+        """One axis; `taken` are the places that have been written on."""
         ends = apply((start, stop), self.view.screen)[:, :2]
         along = ends[1] - ends[0]
         length, character = float(np.hypot(*along)), self.pen.character
@@ -122,20 +131,35 @@ class Frame:
             foot = ends[0] + part * along
             tip = foot + TICK * character * outward
             self.pen.lines(foot[None], tip[None], self.pen.ink(EDGE))
-            self._write(tip, outward, text)
+            box = self._place(tip, outward, text)
+            if box and not any(_touch(box, other) for other in taken):  # where two axes meet
+                taken.append(box)
+                self.pen.text(box[0][0], box[0][1], text, self.pen.ink(TEXT))
         widest = max(map(len, texts), default=0)
         clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
-        self._write(ends.mean(axis=0) + clear * outward, outward, name)
+        box = self._place(ends.mean(axis=0) + clear * outward, outward, name)
+        if box:
+            taken.append(box)
+            self.pen.text(box[0][0], box[0][1], name, self.pen.ink(TEXT))
 
-    def _write(self, at: FloatArray, outward: FloatArray, text: str) -> None:
-        """Text a little outward from a point, whatever side that is."""
+    def _place(
+        self, at: FloatArray, outward: FloatArray, text: str
+    ) -> tuple[FloatArray, FloatArray] | None:
+        """The box of a text a little outward from a point; None if that is off the screen."""
         character = self.pen.character
+        screen = np.array((self.pen.width, self.pen.height))
+        if ((at < -character) | (at > screen + character)).any():
+            return None
         size = np.array((len(text), 1)) * character
         centre = at + outward * (0.4 * character + np.abs(outward) * size / 2)
-        left, top = centre - size / 2
-        left = min(max(left, 0), self.pen.width - size[0])
-        top = min(max(top, 0), self.pen.height - character)
-        self.pen.text(left, top, text, self.pen.ink(TEXT))
+        low = np.clip(centre - size / 2, 0, np.maximum(screen - size, 0))
+        return low, low + size
+
+
+def _touch(one: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArray]) -> bool:
+    """Whether two boxes meet, or two texts in them would read as one."""
+    gap = np.array(((one[1] - one[0])[1] / 2, 0.0))
+    return bool((one[0] < other[1] + gap).all() and (other[0] < one[1] + gap).all())
 
 
 @dataclass(frozen=True)

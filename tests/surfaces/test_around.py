@@ -1,5 +1,6 @@
 """Fields, contours, ticks, the box and the axes, several surfaces in one picture."""
 
+from itertools import combinations
 from math import atan, cos, pi, sin, sqrt
 from typing import Any
 
@@ -13,6 +14,7 @@ from surfaces import (
     Axonometry,
     Mapping,
     Pen,
+    compose,
     orthographic,
     parametric,
     rotation,
@@ -257,6 +259,19 @@ def test_writing_stays_on_the_screen(turn: int) -> None:
     T = rotation((1, 2, 3), turn)
     surface(lambda x, y: x * y, **SQUARE, n=8, transform=T, axes=True, colorbar=True, on=page)
     assert all(0 <= x <= 320 - 8 * len(text) and 0 <= y <= 232 for x, y, text in page.texts)
+
+
+@pytest.mark.parametrize("turn", range(6))
+@pytest.mark.parametrize("size", [1, 3])
+def test_no_number_is_written_over_another(turn: int, size: float) -> None:
+    """Nor do those whose places are off the screen pile up at its edge."""
+    page = Writer()
+    T = compose(rotation("z", turn), rotation("x", 0.3), scaling(size, size, size))
+    surface(lambda x, y: x * y, **SQUARE, n=8, transform=T, axes=True, on=page)
+    boxes = [(x, y, x + 8 * len(t), y + 8) for x, y, t in page.texts if t not in "xyz"]
+    assert boxes or size > 1
+    for (l1, t1, r1, b1), (l2, t2, r2, b2) in combinations(boxes, 2):
+        assert r1 <= l2 or r2 <= l1 or b1 <= t2 or b2 <= t1
 
 
 def test_the_bar_of_colours_has_them_all() -> None:
