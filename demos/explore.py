@@ -7,6 +7,8 @@ and `plot.pick` reads back from any pixel the point (x, y, z) that is seen there
 formula and draws it; if it is none, an arrow shows where it goes wrong.
 
     Enter     type a formula: Enter draws it, Esc forgets it, ↑ ↓ bring earlier ones
+    mouse     the cross-hair; dragged with the left button it turns and tilts the surface, with
+              the right one, or the wheel, it comes nearer
     arrows    turn and tilt                  Space    spin        Home   as at the beginning
     + -       larger, smaller                , .      less or more of the plane
     [ ]       the paper's theta              ; '      its rho_z
@@ -14,7 +16,7 @@ formula and draws it; if it is none, an arrow shows where it goes wrong.
     p r c x   projection, ramp, what the colours tell, axes
     z         cut off heights larger than x and y, as near a pole
     w a s d   move the cross-hair; in capitals pixel by pixel
-    F2        save the picture as explore-001.png       Esc    end
+    F2 F3     save the picture as explore-001.png, a full turn as explore-001.gif   Esc    end
 """
 
 import sys
@@ -23,13 +25,13 @@ from dataclasses import dataclass, field
 from itertools import count
 from math import inf, radians
 from pathlib import Path
-from textwrap import wrap
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from bgi import (
     BLACK,
-    BLUE,
+    COPY_PUT,
     DARKGRAY,
     IBM8514,
     IBM8514LO,
@@ -43,16 +45,19 @@ from bgi import (
     THICK_WIDTH,
     WHITE,
     YELLOW,
+    Image,
     bar,
     cleardevice,
-    getch,
+    delay,
+    getimage,
     getmaxcolor,
     getmaxx,
     getmaxy,
     initgraph,
     kbhit,
     line,
-    outtextxy,
+    mouse,
+    putimage,
     setactivepage,
     setcolor,
     setfillstyle,
@@ -61,17 +66,33 @@ from bgi import (
     swapbuffers,
     writeimagefile,
 )
+from demos.panel import (
+    DOWN,
+    ENTER,
+    ESC,
+    F2,
+    F3,
+    HOME,
+    LEFT,
+    PAGE_DOWN,
+    PAGE_UP,
+    PANEL,
+    RIGHT,
+    SPACE,
+    TAB,
+    UP,
+    WIDE,
+    Editor,
+    read_key,
+    row_top,
+    write,
+)
 from surfaces import MODES, PROJECTIONS, RAMPS, Mapping, Plot, compose, rotation, scaling, surface
+from surfaces.animation import PillowMissing, save_gif
 from surfaces.fields import FIELDS
-from surfaces.formula import FUNCTIONS, LONGEST, NAMES, FormulaError, formula
+from surfaces.formula import FormulaError, formula
 
 MODE = (IBM8514, IBM8514LO)
-ENTER, ESC, TAB, BACKSPACE, SPACE = 13, 27, 9, 8, 32
-# What getch() gives as 0 and a second code, we count from 256 on.
-EXTENDED = 256
-HOME, UP, PAGE_UP, LEFT, RIGHT, END, DOWN, PAGE_DOWN, DELETE, F2 = (
-    EXTENDED + code for code in (71, 72, 73, 75, 77, 79, 80, 81, 83, 60)
-)
 EXAMPLES = (
     "sin(x*y)/2",
     "sinc(4*r)",
@@ -83,14 +104,13 @@ EXAMPLES = (
 )
 CELLS = (20, 40, 60, 100, 150, 200, 300, 400)
 KEYS = (
-    "Enter formula  arrows turn  + - zoom  , . range  [ ] theta  ; ' rho_z  Esc end",
-    "Tab mode  PgUp/Dn n  p view  r ramp  c color  x axes  z cut  wasd +  F2 save",
+    "Enter formula  arrows, mouse turn  + - zoom  , . range  [ ] theta  ; ' rho_z",
+    "Tab mode  PgUp/Dn n  p view  r ramp  c color  x axes  z cut  F2 PNG F3 GIF Esc",
 )
-MARGIN, ROW, ROWS = 8, 12, 5
-PANEL = ROWS * ROW + MARGIN
-"""The height of what stands below the picture: five lines of text."""
-WIDE = 78
-"""Characters in a line of it."""
+FRAMES, MILLISECONDS = 72, 40
+"""Pictures of a full turn, and how long each is shown."""
+DRAG = 10
+"""Pixels that the mouse is dragged for what one key does."""
 
 
 @dataclass
@@ -102,7 +122,7 @@ class Dial:
     low: float = -inf
     high: float = inf
 
-    def turn(self, steps: int) -> None:
+    def turn(self, steps: float) -> None:
         """So many steps up or down, as far as it goes."""
         self.value = min(max(self.value + steps * self.step, self.low), self.high)
 
@@ -230,85 +250,22 @@ CROSS_KEYS = {
 }
 
 
-@dataclass
-class Editor:
-    """A line of text that is being typed."""
-
-    text: str = ""
-    cursor: int = 0
-    past: list[str] = field(default_factory=lambda: list(EXAMPLES))
-    """What Up and Down bring."""
-    place: int = 0
-    selected: bool = False
-    """Whether the first character typed takes the place of all that is there."""
-    error: FormulaError | None = None
-
-    def begin(self, text: str, error: FormulaError | None = None) -> None:
-        """Edit a text, the cursor at its end or where it goes wrong."""
-        self.text, self.error, self.selected = text, error, error is None
-        self.cursor = len(text) if error is None else min(error.column, len(text))
-
-    def press(self, key: int) -> None:
-        """Obey a key; one that is a character is typed."""
-        typed = SPACE <= key < EXTENDED
-        if self.selected and (typed or key in (BACKSPACE, DELETE)):
-            self.text, self.cursor = "", 0
-        self.selected = False
-        before, after = self.text[: self.cursor], self.text[self.cursor :]
-        if key in (UP, DOWN):
-            self.place = (self.place + (1 if key == DOWN else -1)) % len(self.past)
-            self.begin(self.past[self.place])
-        elif key in (LEFT, RIGHT, HOME, END):
-            steps = {LEFT: -1, RIGHT: 1, HOME: -LONGEST, END: LONGEST}
-            self.cursor = min(max(self.cursor + steps[key], 0), len(self.text))
-        elif key == BACKSPACE:
-            self.text, self.cursor = before[:-1] + after, max(self.cursor - 1, 0)
-        elif key == DELETE:
-            self.text = before + after[1:]
-        elif typed and len(self.text) < LONGEST:
-            self.text = before + bytes([key]).decode("cp437") + after
-            self.cursor += 1
-
-    def keep(self) -> None:
-        """Remember the text for Up and Down."""
-        self.past = [text for text in self.past if text != self.text] + [self.text]
-        self.place = 0
-
-    def draw(self) -> None:
-        """The line with its cursor; below it what is wrong, or what may be written."""
-        room = WIDE - 5
-        start = max(0, self.cursor - room)
-        shown = self.text[start : start + room + 1]
-        left, top = MARGIN + 8 * 4, _row(0)
-        if self.selected and shown:
-            setfillstyle(SOLID_FILL, BLUE)
-            bar(left, top - 2, left + 8 * len(shown) - 1, top + 8)
-        _write(0, f"z = {shown}", WHITE)
-        left += 8 * (self.cursor - start)
-        setfillstyle(SOLID_FILL, YELLOW)
-        bar(left, top + 8, left + 7, top + 9)
-        if self.error is None:
-            words = " ".join(("Enter draws it, Esc leaves, ↑ ↓ examples:", *NAMES, *FUNCTIONS))
-            _paragraph(2, words, LIGHTGRAY)
-        else:
-            caret = self.error.caret[start:][: room + 1]
-            _write(1, f"    {caret}", LIGHTRED)
-            _paragraph(2, self.error.problem, LIGHTRED)
-
-
 class Explorer:
-    """What is on the screen, and what the keys do to it."""
+    """What is on the screen, and what keys and mouse do to it."""
 
     def __init__(self, text: str = EXAMPLES[0]) -> None:
         self.text = text
         self.view = View()
-        self.editor = Editor()
+        self.editor = Editor(list(EXAMPLES))
         self.editing = False
         self.running = True
-        self.saving = False
-        self.note = ""
+        self.plot: Plot | None = None
+        self.picture: Image | None = None
+        """The surface as it was drawn; None if that has to be done."""
+        self.problem = self.note = ""
         self.width, self.height = getmaxx() + 1, getmaxy() + 1 - PANEL
         self.cross = self.width // 2, self.height // 2
+        self.place, self.buttons = mouse.position(), 0
         self.enter(text)
 
     def enter(self, text: str) -> None:
@@ -322,6 +279,7 @@ class Explorer:
             self.editing = False
             self.text = self.editor.text = " ".join(text.split())
             self.editor.keep()
+            self.picture = None
 
     def press(self, key: int) -> None:
         """Obey one key."""
@@ -334,6 +292,7 @@ class Explorer:
             self.editor.press(key)
         elif key in VIEW_KEYS:
             VIEW_KEYS[key](self.view)
+            self.picture = None
         elif key in CROSS_KEYS:
             (x, y), (dx, dy) = self.cross, CROSS_KEYS[key]
             self.cross = min(max(x + dx, 0), self.width - 1), min(max(y + dy, 0), self.height - 1)
@@ -344,80 +303,123 @@ class Explorer:
             self.view.spinning = not self.view.spinning
         elif key == HOME:
             self.view = View()
+            self.picture = None
         elif key == F2:
-            self.saving = True
+            self.save(".png", self._save_picture)
+        elif key == F3:
+            self.save(".gif", self._save_turn)
         elif key == ESC:
             self.running = False
 
-    @np.errstate(all="ignore")  # formulas may be as wild as they like
+    def follow(self) -> bool:
+        """Do what the mouse says. Returns whether there is something new to draw."""
+        (x, y), clicks = mouse.position(), mouse.wheel()
+        across, down = x - self.place[0], y - self.place[1]
+        # What was held before too: the way to where a button goes down is no dragging.
+        held = mouse.buttons() & self.buttons
+        self.place, self.buttons = (x, y), mouse.buttons()
+        if self.editing or not (across or down or clicks):
+            return False
+        if held & 1:
+            self.view.spin.turn(across / DRAG)
+            self.view.tilt.turn(down / DRAG)
+        elif held & 2:
+            self.view.zoom.turn(-down / DRAG)
+        self.view.zoom.turn(-clicks)
+        if held or clicks:
+            self.picture = None
+        if y < self.height:
+            self.cross = x, y
+        return True
+
+    def wait(self) -> None:
+        """Until a key or the mouse asks for a new picture; a spinning surface does not wait."""
+        while not (kbhit() or self.follow() or self.view.spinning):
+            delay(10)
+        if self.view.spinning:
+            self.view.spin.value += 1
+            self.picture = None
+        if kbhit():
+            self.press(read_key())
+
     def draw(self) -> None:
-        """One picture, on the page that is not shown."""
+        """All that is to be seen, on the page that is not shown."""
+        if self.picture is None:
+            self.picture = self.draw_surface()
         cleardevice()
-        setviewport(0, 0, self.width - 1, self.height - 1, 1)
-        plot: Plot | None = None
-        problem = ""
-        try:
-            plot = self.view.show(self.text)
-        except ValueError as error:
-            problem = str(error).splitlines()[0]
-        if self.saving:
-            self.save()
+        putimage(0, 0, self.picture, COPY_PUT)
         self._cross()
-        setviewport(0, 0, getmaxx(), getmaxy(), 1)
         line(0, self.height, getmaxx(), self.height, DARKGRAY)
         if self.editing:
             self.editor.draw()
             return
-        point = plot.pick(*self.cross) if plot is not None else None
+        point = self.plot.pick(*self.cross) if self.plot is not None else None
         read = "x {:9.4f}   y {:9.4f}   z {:9.4f}".format(*point) if point else "beside the surface"
-        _write(0, problem[:WIDE] or read, LIGHTRED if problem else YELLOW)
-        _write(1, self.note or str(self.view), LIGHTGREEN if self.note else LIGHTCYAN)
+        write(0, self.problem[:WIDE] or read, LIGHTRED if self.problem else YELLOW)
+        write(1, self.note or str(self.view), LIGHTGREEN if self.note else LIGHTCYAN)
         setfillstyle(SOLID_FILL, LIGHTGRAY)
-        bar(0, _row(3) - 5, getmaxx(), getmaxy())
+        bar(0, row_top(3) - 5, getmaxx(), getmaxy())
         for row, text in enumerate(KEYS, 3):
-            _write(row, text, BLACK)
+            write(row, text, BLACK)
 
-    def save(self) -> None:
-        """Write the picture, without what stands below it, to a new file."""
-        self.saving = False
+    @np.errstate(all="ignore")  # formulas may be as wild as they like
+    def draw_surface(self) -> Image:
+        """The surface alone, to be kept: under a moving cross-hair it stays what it is."""
+        cleardevice()
+        setviewport(0, 0, self.width - 1, self.height - 1, 1)
+        self.plot, self.problem = None, ""
         try:
-            file = next(file for file in _names() if not file.exists())
-            writeimagefile(file, 0, 0, self.width - 1, self.height - 1)
+            self.plot = self.view.show(self.text)
+        except ValueError as error:
+            self.problem = str(error).splitlines()[0]
+        setviewport(0, 0, getmaxx(), getmaxy(), 1)
+        return getimage(0, 0, self.width - 1, self.height - 1)
+
+    def save(self, ending: str, write_it: Callable[[Path], None]) -> None:
+        """Write to a file that is not there yet."""
+        file = next(file for file in _names(ending) if not file.exists())
+        try:
+            write_it(file)
             self.note = f"saved as {file}"
         except OSError as error:
             self.note = f"not saved: {error.strerror}"
+        except PillowMissing as error:
+            self.note = str(error)
+
+    def _save_picture(self, file: Path) -> None:
+        self.picture = self.draw_surface()
+        writeimagefile(file, 0, 0, self.width - 1, self.height - 1)
+
+    def _save_turn(self, file: Path) -> None:
+        with TemporaryDirectory() as folder:
+            save_gif(file, self._turn(Path(folder) / "picture.png"), MILLISECONDS)
+
+    def _turn(self, file: Path) -> Iterator[Path]:
+        """The pictures of a turn about z, each written to the same file; a key ends it early."""
+        for number in range(1, FRAMES + 1):
+            self.view.spin.value += 360 / FRAMES
+            self._save_picture(file)
+            self.note = f"drawing {number} of {FRAMES}; a key ends it"
+            self.draw()
+            swapbuffers()
+            yield file
+            if kbhit():
+                read_key()
+                break
 
     def _cross(self) -> None:
         """The cross-hair: white on black, to be seen on any colour."""
         x, y = self.cross
+        setviewport(0, 0, self.width - 1, self.height - 1, 1)
         for color, width in ((BLACK, THICK_WIDTH), (WHITE, NORM_WIDTH)):
             setlinestyle(SOLID_LINE, 0, width)
             for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
                 line(x + 3 * dx, y + 3 * dy, x + 10 * dx, y + 10 * dy, color)
+        setviewport(0, 0, getmaxx(), getmaxy(), 1)
 
 
-def _names() -> Iterator[Path]:
-    return (Path(f"explore-{number:03}.png") for number in count(1))
-
-
-def _row(number: int) -> int:
-    """The top of a line of text below the picture."""
-    return getmaxy() + 1 - PANEL + MARGIN + ROW * number
-
-
-def _write(row: int, text: str, color: int) -> None:
-    setcolor(color)
-    outtextxy(MARGIN, _row(row), text)
-
-
-def _paragraph(row: int, text: str, color: int) -> None:
-    for number, part in enumerate(wrap(text, WIDE)[: ROWS - row]):
-        _write(row + number, part, color)
-
-
-def read_key() -> int:
-    """The next key, those without a character from EXTENDED on."""
-    return getch() or EXTENDED + getch()
+def _names(ending: str) -> Iterator[Path]:
+    return (Path(f"explore-{number:03}{ending}") for number in count(1))
 
 
 def draw() -> None:
@@ -433,11 +435,7 @@ def main(formula: str = EXAMPLES[0]) -> None:
     while explorer.running:
         explorer.draw()
         swapbuffers()
-        if explorer.view.spinning:
-            explorer.view.spin.value += 1
-        # A spinning surface only looks whether a key waits; one at rest waits for a key.
-        if kbhit() or not explorer.view.spinning:
-            explorer.press(read_key())
+        explorer.wait()
 
 
 if __name__ == "__main__":

@@ -55,7 +55,7 @@ def name_of(demo):
 class TestEveryDemo:
     def test_is_in_the_gallery(self):
         files = {file.stem for file in (ROOT / "demos").glob("*.py")}
-        assert files - {"__init__", "__main__", "menu", "pages"} == set(NAMES)
+        assert files - {"__init__", "__main__", "menu", "pages", "panel"} == set(NAMES)
 
     def test_has_a_plan_of_keys(self):
         assert set(KEYS) == set(NAMES)

@@ -5,8 +5,11 @@ from pathlib import Path
 import pytest
 
 import bgi
+from bgi import current
+from bgi.monitor.mouse import MOVED, pressed, released
 from demos import explore
-from demos.explore import EXAMPLES, EXTENDED, Editor, Explorer, View
+from demos.explore import EXAMPLES, Explorer, View
+from demos.panel import DELETE, END, EXTENDED, HOME, LEFT, RIGHT, UP, Editor, read_key
 
 
 @pytest.fixture
@@ -21,7 +24,7 @@ def press(explorer: Explorer, keys: str, monkeypatch: pytest.MonkeyPatch) -> Non
     bgi.closegraph()
     bgi.initgraph(*explore.MODE)
     while bgi.kbhit():
-        explorer.press(explore.read_key())
+        explorer.press(read_key())
         explorer.draw()
 
 
@@ -69,19 +72,19 @@ def test_every_example_is_drawn(explorer: Explorer, monkeypatch: pytest.MonkeyPa
 
 
 def test_the_editor() -> None:
-    editor = Editor()
+    editor = Editor(list(EXAMPLES))
     for key in b"xy":
         editor.press(key)
-    for key in (explore.LEFT, ord("+"), explore.HOME, explore.DELETE, ord("1"), explore.END, 8):
+    for key in (LEFT, ord("+"), HOME, DELETE, ord("1"), END, 8):
         editor.press(key)
     assert (editor.text, editor.cursor) == ("1+", 2)
-    editor.press(explore.RIGHT)
+    editor.press(RIGHT)
     editor.press(EXTENDED + 59)  # F1
     assert (editor.text, editor.cursor) == ("1+", 2)
     editor.begin("old")
     editor.press(8)
     assert (editor.text, editor.cursor) == ("", 0)
-    editor.press(explore.UP)
+    editor.press(UP)
     assert editor.text == EXAMPLES[-1]
     for _ in range(600):
         editor.press(ord("x"))
@@ -157,6 +160,70 @@ def test_f2_saves_the_picture_under_a_new_name(
     one, two = (tmp_path / f"explore-00{n}.png" for n in (1, 2))
     assert one.read_bytes() != two.read_bytes()
     assert sorted(tmp_path.iterdir()) == [one, two]
+
+
+def test_f3_saves_a_turn(
+    explorer: Explorer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    image = pytest.importorskip("PIL.Image")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(explore, "FRAMES", 8)
+    press(explorer, "F3", monkeypatch)
+    assert explorer.note == "saved as explore-001.gif"
+    with image.open(tmp_path / "explore-001.gif") as turn:
+        assert (turn.size, turn.n_frames) == ((explorer.width, explorer.height), 8)
+    press(explorer, "F3 x", monkeypatch)  # a key ends it after the first picture
+    with image.open(tmp_path / "explore-002.gif") as turn:
+        assert getattr(turn, "n_frames", 1) == 1
+
+
+def test_f3_without_pillow(
+    explorer: Explorer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    press(explorer, "F3", monkeypatch)
+    assert "pip install pybgi[record]" in explorer.note
+    assert not list(tmp_path.iterdir())
+
+
+class TestMouse:
+    def hear(self, explorer: Explorer, event: int, x: int, y: int, held: int) -> bool:
+        current.screen.monitor.mouse.hear(event, x, y, held)
+        return explorer.follow()
+
+    def test_it_takes_the_cross_hair_along_and_the_surface_stays(self, explorer: Explorer) -> None:
+        explorer.draw()
+        drawn = explorer.picture
+        assert drawn is not None
+        assert self.hear(explorer, MOVED, 300, 200, 0)
+        explorer.draw()
+        assert explorer.cross == (300, 200)
+        assert explorer.picture is drawn
+        assert not explorer.follow()
+        assert self.hear(explorer, MOVED, 310, 479, 0)  # over the lines of text
+        assert explorer.cross == (300, 200)
+
+    def test_the_left_button_turns_and_the_right_one_zooms(self, explorer: Explorer) -> None:
+        self.hear(explorer, pressed(0), 300, 200, 1)
+        assert self.hear(explorer, MOVED, 320, 190, 1)
+        assert (explorer.view.spin.value, explorer.view.tilt.value) == (10, -5)
+        self.hear(explorer, released(0), 320, 190, 0)
+        self.hear(explorer, pressed(1), 320, 190, 2)
+        explorer.draw()
+        assert self.hear(explorer, MOVED, 320, 150, 2)
+        assert explorer.view.zoom.value == 6
+        assert explorer.picture is None
+
+    def test_the_wheel_zooms(self, explorer: Explorer) -> None:
+        current.screen.monitor.mouse.roll(-3)
+        assert explorer.follow()
+        assert explorer.view.zoom.value == 5
+
+    def test_it_does_nothing_while_a_formula_is_typed(self, explorer: Explorer) -> None:
+        explorer.editing = True
+        assert not self.hear(explorer, MOVED, 300, 200, 1)
+        assert explorer.view == View()
 
 
 def test_it_says_when_it_cannot_save(explorer: Explorer, monkeypatch: pytest.MonkeyPatch) -> None:
