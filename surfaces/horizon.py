@@ -173,7 +173,7 @@ def visible(
     for start in range(0, len(segments.line), PART):
         part = slice(start, start + PART)
         first, last, kept = trace.clip(segments.starts[part], segments.ends[part], width, height)
-        x, y, owner = trace.line_pixels(trace.rounded(first), trace.rounded(last), segments.joined)
+        x, y, owner = trace.line_pixels(first, last, segments.joined)
         above, below = horizon.seen(x, y, segments.line[part].take(kept).take(owner))
         seen = np.flatnonzero(above | below)
         upper = above if sweep.rising_is_upper else below

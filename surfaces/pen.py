@@ -104,8 +104,7 @@ class Pen:
 
     def lines(self, starts: FloatArray, ends: FloatArray, colour: int) -> None:
         """Lines between points (n, 2) of the screen, cut off at its edges."""
-        first, last, _ = trace.clip(starts, ends, self.width, self.height)
-        a, b = trace.rounded(first), trace.rounded(last)
+        a, b, _ = trace.clip(starts, ends, self.width, self.height)
         if not self._has("line"):
             x, y, _ = trace.line_pixels(a, b)
             self.pixels(x, y, colour)
@@ -140,8 +139,8 @@ class Pen:
         sides = np.array(trace.polygon_sides(polygon), dtype=np.float64).reshape(-1, 2, 2)
         if outline:
             first, last, _ = trace.clip(sides[:, 0], sides[:, 1], self.width, self.height)
-            pixels = trace.line_pixels(trace.rounded(first), trace.rounded(last))
-            self.pixels(*pixels[:2], outline)
+            x, y, _ = trace.line_pixels(first, last)
+            self.pixels(x, y, outline)
 
     def text(self, x: float, y: float, text: str, colour: int) -> None:
         """Write, the upper left corner at x, y, where the system can write."""

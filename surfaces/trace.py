@@ -17,6 +17,9 @@ from surfaces.transforms import FloatArray
 Ints = NDArray[np.int64]
 Pixel = tuple[int, int]
 
+# Added to a half, it tells where that is rounded to. No other place of a line on a screen, half a
+# pixel or more divided by the line's length, is so near to a half.
+TIE = 2.0**-16
 # Beyond any screen, yet small enough that the products of two coordinates fit into 64 bits.
 FAR = 2**24
 
@@ -27,38 +30,32 @@ def rounded(points: FloatArray) -> Ints:
 
 
 def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, Ints, Ints]:
-    """The pixels of lines between (n, 2) ends, in order: x, y, and which line each belongs to.
+    """The pixels of lines between (n, 2) ends, no less than 0: x, y, and whose each one is.
 
     Joined lines go without their last pixel, with which the next one begins.
     """
-    (x1, y1), (x2, y2) = starts.T, ends.T
-    upward = y2 < y1
-    x1, x2 = np.where(upward, x2, x1), np.where(upward, x1, x2)
-    y1, y2 = np.where(upward, y2, y1), np.where(upward, y1, y2)
-    dx, dy = x2 - x1, y2 - y1
-    wide = np.abs(dx)
-    steep = dy > wide
-    n, m = np.where(steep, dy, wide), np.where(steep, wide, dy)
+    x1, y1 = starts.T
+    dx, dy = (ends - starts).T
+    n = np.maximum(np.abs(dx), np.abs(dy))
     count = n + (not joined)
     line = np.repeat(np.arange(len(n)), count)
-    begin = np.cumsum(count) - count
-    # Of a line turned round, the last pixel is the first.
-    step = np.arange(len(line)) - (begin - (upward & joined)).take(line)
-    # Below 2**26 the quotient of two whole numbers never rounds up to the next one.
-    side = (step * (2 * m).take(line) + n.take(line)) / np.maximum(2 * n, 1).take(line)
-    aside = side.astype(np.int64)
-    along_x = np.where(steep.take(line), aside, step)
-    x = x1.take(line) + np.sign(dx).take(line) * along_x
-    return x, y1.take(line) + step + aside - along_x, line
+    step = np.arange(len(line)) - (np.cumsum(count) - count).take(line)
+    n = np.maximum(n, 1)
+    # A half is rounded away from the upper end.
+    x = (dx / n).take(line) * step
+    x += (x1 + (0.5 + np.copysign(TIE, dx * dy))).take(line)
+    y = (dy / n).take(line) * step
+    y += (y1 + (0.5 + TIE)).take(line)
+    return x.astype(np.int64), y.astype(np.int64), line
 
 
 def clip(
     starts: FloatArray, ends: FloatArray, width: int, height: int
-) -> tuple[FloatArray, FloatArray, Ints]:
-    """The parts of lines inside the screen, both (n, 2), and which of the lines they belong to."""
+) -> tuple[Ints, Ints, Ints]:
+    """The parts of lines inside the screen: the pixels at both ends, (n, 2), and whose each is."""
     room = np.array((width - 1.0, height - 1.0))
     if _inside(starts, room) and _inside(ends, room):
-        return starts, ends, np.arange(len(starts))
+        return _nearest(starts), _nearest(ends), np.arange(len(starts))
     way = ends - starts
     with np.errstate(divide="ignore", invalid="ignore"):
         first, second = -starts / way, (room - starts) / way
@@ -72,7 +69,11 @@ def clip(
     way, enter, leave = way[kept], enter[kept, None], leave[kept, None]
     inside_start = np.where(enter > 0, starts[kept] + enter * way, starts[kept])
     inside_end = np.where(leave < 1, starts[kept] + leave * way, ends[kept])
-    return np.clip(inside_start, 0, room), np.clip(inside_end, 0, room), kept
+    return *(_nearest(np.clip(end, 0, room)) for end in (inside_start, inside_end)), kept
+
+
+def _nearest(points: FloatArray) -> Ints:
+    return (points + 0.5).astype(np.int64)
 
 
 def _inside(points: FloatArray, room: FloatArray) -> bool:
