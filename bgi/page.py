@@ -222,18 +222,6 @@ class Page:
             else:
                 self.array[y, a : b + 1] = self._inked(mask[y, a : b + 1], color)
 
-    def _spread(self, y: Ints, left: Ints, right: Ints) -> tuple[Ints, Ints]:
-        """The pixels of many spans, clipped: their places, and which span each belongs to."""
-        inside = (y >= self._top) & (y <= self._bottom)
-        left, right = np.maximum(left, self._left), np.minimum(right, self._right)
-        kept = np.flatnonzero(inside & (left <= right))
-        y, left, right = (a[kept].astype(np.int64, copy=False) for a in (y, left, right))
-        length = right - left + 1
-        ends = np.cumsum(length)
-        start = y * self.width + left - (ends - length)
-        span = np.repeat(np.arange(len(y)), length)
-        return start[span] + np.arange(len(span)), kept[span]
-
     def _patterned(self, place: Ints, colors: Ints, rows: bytes) -> Ints:
         """What a fill writes at those places."""
         if rows == SOLID_ROWS:
@@ -254,13 +242,17 @@ class Page:
 
         `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
         """
-        place, span = self._spread(spans.y, spans.left, spans.right)
-        filled_by = spans.owner[span]
-        self.flat[place] = self._patterned(place, fills[filled_by], rows)
-        covered = len(filled_by) and len(owners) and filled_by[-1] > owners[0]
+        left, right = np.maximum(spans.left, self._left), np.minimum(spans.right, self._right)
+        lengths = np.maximum(right - left + 1, 0)
+        starts = spans.y * self.width + left - (np.cumsum(lengths) - lengths)
+        place = np.repeat(starts, lengths)
+        place += np.arange(len(place))
+        inks = np.repeat(fills.astype(self.flat.dtype)[spans.owner], lengths)
+        self.flat[place] = self._patterned(place, inks, rows)
+        covered = len(spans.owner) and len(owners) and spans.owner[-1] > owners[0]
         if covered:
             last_fill = np.full(self.flat.shape, -1, dtype=np.int32)
-            last_fill[place] = filled_by
+            last_fill[place] = np.repeat(spans.owner, lengths)
         for edge, side in self._trace(sides, pattern):
             drawn_by = owners[side]
             if covered:  # a pixel of a side survives unless a later polygon's fill covers it

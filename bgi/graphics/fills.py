@@ -122,13 +122,13 @@ class Fills(Lines):
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
     ) -> None:
-        sides, real = polygons.edges_many(np.concatenate([points, points[:, :1]], axis=1))
-        drawn = real & (colors != 0)
+        edges = polygons.edges_many(np.concatenate([points, points[:, :1]], axis=1))
+        drawn = edges.real & (colors != 0)
         rows, box = self.settings.fill_rows, self.page.box
-        for part, spans in polygons.spans(sides, real, box[1], box[3]):
+        for part, spans in polygons.spans(edges, box[1], box[3]):
             owners, side = np.nonzero(drawn[:, part].T)
             owners += part.start
-            x1, y1, x2, y2 = (end[side, owners] for end in sides)
+            x1, y1, x2, y2 = (end[side, owners] for end in edges.sides)
             segments = (x1, y1, x2, y2)
             if self._thick:
                 segments, owners = lines.strands_many(segments), np.repeat(owners, 3)

@@ -114,69 +114,148 @@ def _paired(found: list[tuple[int, list[int]]], top: int, height: int) -> Rows:
     return [y for y, _, _ in pairs], [x for _, x, _ in pairs], [x for _, _, x in pairs]
 
 
-def edges_many(points: NDArray[Any]) -> tuple[Segments, NDArray[np.bool_]]:
-    """`edges` for m polygons of k points each, shape (m, k, 2).
+class Edges(NamedTuple):
+    """The lines of m polygons: x1, y1, x2, y2, arrays (k - 1, m)."""
 
-    Returns their lines x1, y1, x2, y2, arrays (k - 1, m), and which of them are real: the others
-    lie between two paths, and have no length.
-    """
+    sides: Segments
+    real: NDArray[np.bool_]
+    """Which are there: the others lie between two paths, and have no length."""
+    single: NDArray[np.bool_]
+    """Which polygons are one path."""
+
+
+def edges_many(points: NDArray[Any]) -> Edges:
+    """`edges` for m polygons of k points each, shape (m, k, 2)."""
     x, y = np.ascontiguousarray(points.transpose(2, 1, 0))
-    back = (x == x[0]) & (y == y[0])
     sides = x[:-1], y[:-1], x[1:], y[1:]
-    if len(x) > 2 and not back[1:-1].any():  # nobody is back before the end: one path each
-        return sides, np.ones(back[1:].shape, dtype=bool)
-    return _split(x, y)
+    back = (x == x[0]) & (y == y[0])
+    real, single = np.ones(back[1:].shape, dtype=bool), np.ones(len(points), dtype=bool)
+    # Most are not back at the start before the end: they are one path each.
+    parted = np.flatnonzero(back[1:-1].any(axis=0) if len(x) > 2 else back[0])
+    if len(parted):
+        parts = _split(x[:, parted], y[:, parted])
+        real[:, parted], single[parted] = parts.real, parts.single
+        pairs = list(zip(sides, parts.sides, strict=True))
+        if any((side[:, parted] != new).any() for side, new in pairs):
+            sides = x[:-1].copy(), y[:-1].copy(), x[1:].copy(), y[1:].copy()
+            for side, new in zip(sides, parts.sides, strict=True):
+                side[:, parted] = new
+    return Edges(sides, real, single)
 
 
-def _split(x: Ints, y: Ints) -> tuple[Segments, NDArray[np.bool_]]:
+def _split(x: Ints, y: Ints) -> Edges:
     """What `paths` does, for the points (k, m) of m polygons at a time."""
     start_x, start_y = x[0], y[0]
     x1, y1, x2, y2 = x[:-1].copy(), y[:-1].copy(), x[1:].copy(), y[1:].copy()
     real = np.zeros(x1.shape, dtype=bool)
-    open_path = np.ones(x.shape[1], dtype=bool)
-    single = np.ones(x.shape[1], dtype=bool)
+    open_path, alone, closed, single = np.ones((4, x.shape[1]), dtype=bool)
+    closed[:] = False
     before_x, before_y = x[0], y[0]
     for j in range(1, len(x)):
         back = (x[j] == start_x) & (y[j] == start_y)
         begins = ~open_path
-        drawn = open_path & ~(back & single)
+        drawn = open_path & ~(back & alone)
         x1[j - 1], y1[j - 1], real[j - 1] = before_x, before_y, drawn
+        single &= ~(closed & drawn)
+        closed |= drawn & back
         start_x, start_y = np.where(begins, x[j], start_x), np.where(begins, y[j], start_y)
         moved = begins | drawn
         before_x, before_y = np.where(moved, x[j], before_x), np.where(moved, y[j], before_y)
         open_path = begins | ~(back & drawn)
-        single = begins | (single & ~drawn)
-    return (x1, y1, np.where(real, x2, x1), np.where(real, y2, y1)), real
+        alone = begins | (alone & ~drawn)
+    return Edges((x1, y1, np.where(real, x2, x1), np.where(real, y2, y1)), real, single)
 
 
-def spans(
-    sides: Segments, real: NDArray[np.bool_], top: int, bottom: int
-) -> Iterator[tuple[slice, Spans]]:
-    """Fill closed polygons given by their sides, as far as rows top..bottom show them.
+def spans(polygons: Edges, top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
+    """Fill closed polygons, as far as rows top..bottom show them.
 
-    `sides` are x1, y1, x2, y2 of shape (k, n), k sides of n polygons; int64, or object for
-    coordinates beyond its range; `real` as `edges_many` gives it. Yields batches of consecutive
+    Their sides are int64, or object for coordinates beyond its range. Yields batches of consecutive
     polygons: which ones, their spans.
     """
-    x1, y1, x2, y2 = sides
+    x1, y1, x2, y2 = polygons.sides
     up = y2 < y1
-    upper, lower = np.where(up, y2, y1), np.where(up, y1, y2)
-    down_from, dx = np.where(up, x2, x1), np.where(up, x1 - x2, x2 - x1)
+    upper, lower = np.minimum(y1, y2), np.maximum(y1, y2)
+    walls = _Walls(upper, lower - upper, np.where(up, x2, x1), np.where(up, x1 - x2, x2 - x1), up)
     highest, lowest = upper.min(axis=0), lower.max(axis=0)
     # One path that goes down once and up once crosses every row twice.
-    simple = real.all(axis=0) & ((lower - upper).sum(axis=0) == 2 * (lowest - highest))
-    first = np.maximum(highest, top)
-    rows = np.maximum(np.minimum(lowest - 1, bottom) - first + 1, 0).astype(np.int64)
-    steps = np.stack([upper, lower - upper, down_from, dx], axis=-1)
+    simple = polygons.single & (walls.dy.sum(axis=0) == 2 * (lowest - highest))
+    if y1.dtype == object:
+        simple = np.zeros(len(highest), dtype=bool)
+    first = np.clip(highest, top, bottom + 1).astype(np.int64)
+    rows = np.clip(lowest, top, bottom + 1).astype(np.int64) - first
+    twice, often = np.where(simple, rows, 0), np.where(simple, 0, rows)
     for part in batches(rows, _ROWS):
-        owner = np.repeat(np.arange(part.start, part.stop), rows[part])
-        ends = np.cumsum(rows[part])
-        y = np.arange(len(owner)) + (first[part] - (ends - rows[part]))[owner - part.start]
-        crossings = [_crossings(y, *step[owner].T) for step in steps]
-        if simple[part].all():
-            yield part, _outer(y, crossings, owner)
-        else:
-            yield part, _paired_spans(y, crossings, owner)
+        numbers = np.arange(part.start, part.stop)
+        found = []
+        if twice[part].any():
+            found.append(_crossed_twice(walls.of(part), numbers, first[part], twice[part]))
+        crooked = numbers[often[part] > 0]
+        if len(crooked):
+            found.append(_crossed_often(walls.of(crooked), crooked, first[crooked], often[crooked]))
+        yield part, _in_order(found)
+
+
+class _Walls(NamedTuple):
+    """Sides from their upper end down: arrays (k, n)."""
+
+    y: Ints
+    dy: Ints
+    x: Ints
+    dx: Ints
+    up: NDArray[np.bool_]
+    """Whether the polygon's path goes up here."""
+
+    def of(self, which: Ints | slice) -> "_Walls":
+        """Those of some of the polygons."""
+        y, dy, x, dx = (array[:, which] for array in self[:4])
+        return _Walls(y, dy, x, dx, self.up[:, which])
+
+
+def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
+    """The spans of polygons whose path goes down once and up once: between these two ways."""
+    total, begin = int(rows.sum()), np.cumsum(rows) - rows
+    start = np.clip(walls.y, first, first + rows)
+    count = (np.clip(walls.y + walls.dy, first, first + rows) - start).ravel()
+    side = np.repeat(np.arange(len(count)), count)
+    below = ((start - walls.y).ravel() - (np.cumsum(count) - count)).take(side)
+    below += np.arange(len(side))
+    # The floor of x is the quotient toward zero, the ceiling to the left, for x is a multiple of
+    # 1 / dy; half of that more makes floats exact: coordinates are below LIMIT.
+    dy = np.maximum(walls.dy, 1).astype(np.float64)
+    rounding = np.where(walls.dx < 0, 1 - 0.5 / dy, 0.5 / dy)
+    x = (walls.dx / dy).ravel().take(side)
+    x *= below
+    x += (walls.x + rounding).ravel().take(side)
+    below += (begin - first + walls.y + total * walls.up).ravel().take(side)
+    crossings = np.empty(2 * total)
+    crossings[below] = x
+    down, up = crossings[:total], crossings[total:]
+    y = np.arange(total) + np.repeat(first - begin, rows)
+    left, right = np.floor(np.minimum(down, up)), np.floor(np.maximum(down, up))
+    return Spans(y, left.astype(np.int64), right.astype(np.int64), np.repeat(owner, rows))
+
+
+def _crossed_often(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
+    """The spans of any polygons: the crossings of each row sorted and paired."""
+    begin = np.cumsum(rows) - rows
+    which = np.repeat(np.arange(len(rows)), rows)
+    y = np.arange(len(which)) + (first - begin)[which]
+    crossings = [
+        _crossings(y, *(array[which] for array in side)) for side in zip(*walls[:4], strict=True)
+    ]
+    ordered = np.sort(np.stack(crossings, axis=1), axis=1)
+    left, right = ordered[:, 0 : len(crossings) // 2 * 2 : 2], ordered[:, 1::2]
+    row, pair = np.nonzero(right < _FAR)
+    return Spans(y[row], left[row, pair], right[row, pair], owner[which[row]])
+
+
+def _in_order(found: list[Spans]) -> Spans:
+    """Spans of different polygons together, in the polygons' order."""
+    if len(found) < 2:
+        return found[0] if found else NO_SPANS
+    together = Spans(*(np.concatenate(arrays) for arrays in zip(*found, strict=True)))
+    order = np.argsort(together.owner, kind="stable")
+    return Spans(*(array[order] for array in together))
 
 
 def _crossings(y: Ints, upper: Ints, dy: Ints, x: Ints, dx: Ints) -> Ints:
@@ -184,21 +263,6 @@ def _crossings(y: Ints, upper: Ints, dy: Ints, x: Ints, dx: Ints) -> Ints:
     below = y - upper
     x = x + toward_zero(below * dx, dy)
     if x.dtype == object:
-        x = np.clip(x, 1 - _FAR, _FAR - 1)
+        x = np.clip(x, 1 - _FAR, _FAR - 1).astype(np.int64)
     x[(below < 0) | (below >= dy)] = _FAR
     return x
-
-
-def _outer(y: Ints, crossings: list[Ints], owner: Ints) -> Spans:
-    """Rows crossed twice: from the lesser to the greater crossing."""
-    left = np.minimum.reduce(crossings)
-    right = np.maximum.reduce([np.where(x == _FAR, -_FAR, x) for x in crossings])
-    return Spans(y, left, right, owner)
-
-
-def _paired_spans(y: Ints, crossings: list[Ints], owner: Ints) -> Spans:
-    """Any rows: their crossings sorted and paired."""
-    ordered = np.sort(np.stack(crossings, axis=1), axis=1)
-    left, right = ordered[:, 0 : len(crossings) // 2 * 2 : 2], ordered[:, 1::2]
-    row, pair = np.nonzero(right < _FAR)
-    return Spans(y[row], left[row, pair], right[row, pair], owner[row])
