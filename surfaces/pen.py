@@ -139,8 +139,7 @@ class Pen:
         sides = np.array(trace.polygon_sides(polygon), dtype=np.float64).reshape(-1, 2, 2)
         if outline:
             first, last, _ = trace.clip(sides[:, 0], sides[:, 1], self.width, self.height)
-            x, y, _ = trace.line_pixels(first, last)
-            self.pixels(x, y, outline)
+            self.pixels(*trace.line_pixels(first, last)[:2], outline)
 
     def text(self, x: float, y: float, text: str, colour: int) -> None:
         """Write, the upper left corner at x, y, where the system can write."""

@@ -49,9 +49,7 @@ def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, I
     return x.astype(np.int64), y.astype(np.int64), line
 
 
-def clip(
-    starts: FloatArray, ends: FloatArray, width: int, height: int
-) -> tuple[Ints, Ints, Ints]:
+def clip(starts: FloatArray, ends: FloatArray, width: int, height: int) -> tuple[Ints, Ints, Ints]:
     """The parts of lines inside the screen: the pixels at both ends, (n, 2), and whose each is."""
     room = np.array((width - 1.0, height - 1.0))
     if _inside(starts, room) and _inside(ends, room):
@@ -69,7 +67,9 @@ def clip(
     way, enter, leave = way[kept], enter[kept, None], leave[kept, None]
     inside_start = np.where(enter > 0, starts[kept] + enter * way, starts[kept])
     inside_end = np.where(leave < 1, starts[kept] + leave * way, ends[kept])
-    return *(_nearest(np.clip(end, 0, room)) for end in (inside_start, inside_end)), kept
+    # Kept inside once more: a product may have ended a rounding error beyond the edge.
+    start, end = np.clip(inside_start, 0, room), np.clip(inside_end, 0, room)
+    return _nearest(start), _nearest(end), kept
 
 
 def _nearest(points: FloatArray) -> Ints:
