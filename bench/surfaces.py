@@ -12,6 +12,7 @@ import statistics
 import subprocess
 import tempfile
 import time
+import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -52,6 +53,15 @@ def ours(n: int, tumbling: bool = False, **how: Any) -> float:
         )
 
     return median(frame, FRAMES)
+
+
+def memory(n: int, **how: Any) -> float:
+    """The most bytes that one of our frames takes while it is drawn."""
+    tracemalloc.start()
+    surface(RIPPLES.f, RIPPLES.x, RIPPLES.y, n, **how)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    return peak
 
 
 def matplotlib_surface(n: int) -> float | None:
@@ -130,6 +140,10 @@ def report() -> None:
     for other, own in pairs:
         ratios = [_ratio(rows[other][n], rows[own][n]) for n in SIZES]
         print(f"{f'{other} / {own}':38}" + "".join(f"{ratio:>9}" for ratio in ratios))
+    print(f"\n{'memory of a frame, MiB':38}" + "".join(f"{n:>9}" for n in SIZES))
+    for mode in ("fill", "fill+mesh", "mesh", "facets"):
+        shown = "".join(f"{memory(n, mode=mode) / (1 << 20):>9.1f}" for n in SIZES)
+        print(f"{mode:38}{shown}")
     bgi.closegraph()
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.arguments import Numbers, polygon_points
+from bgi.arguments import BATCH, Numbers, polygon_points
 from bgi.graphics.lines import Lines
 from bgi.raster import lines, polygons
 from bgi.raster.patterns import EMPTY_ROWS
@@ -105,7 +105,9 @@ class Fills(Lines):
             for one, shade, ink in zip(corners.tolist(), fills, colors, strict=True):
                 self._fill_polygon(self._shifted(one), int(shade), int(ink))
         else:
-            self._fill_polygons(corners + self._origin, fills, colors)
+            for start in range(0, len(corners), BATCH):
+                part = slice(start, start + BATCH)
+                self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
         self._fill_area(points, fill)
