@@ -5,6 +5,9 @@ What Borland answered with a code is a code here too: `result` holds the one sti
 the program on raises a `BGIError`.
 """
 
+import sys
+from types import TracebackType
+
 from bgi.constants import ERROR_MESSAGES, grOk
 
 
@@ -14,6 +17,26 @@ class BGIError(RuntimeError):
 
 class WindowClosed(BGIError):
     """The user closed the window; raised by the program's next call."""
+
+
+def say_in_one_line() -> None:
+    """From now on, a program that ends because its window was closed says so without a traceback.
+
+    It is what a user does with most programs, and nothing to look into. Whoever else handles
+    uncaught exceptions is asked about all others.
+    """
+    before = sys.excepthook
+
+    def hook(
+        kind: type[BaseException], error: BaseException, traceback: TracebackType | None
+    ) -> None:
+        if isinstance(error, WindowClosed):
+            print(f"bgi: {error}", file=sys.stderr)
+        else:
+            before(kind, error, traceback)
+
+    if getattr(before, "__module__", None) != __name__:
+        sys.excepthook = hook
 
 
 class Result:

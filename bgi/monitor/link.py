@@ -16,7 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from bgi.card import Card
-from bgi.errors import BGIError, WindowClosed
+from bgi.errors import BGIError, WindowClosed, say_in_one_line
 from bgi.keyboard import PIECE_SECONDS, KeyQueue
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.mouse import Mouse
@@ -70,6 +70,7 @@ class Window:
         except BaseException:
             self.close()
             raise
+        say_in_one_line()
         self._follow_plan()
 
     def _follow_plan(self) -> None:
