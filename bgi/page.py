@@ -228,6 +228,20 @@ class Page:
             return colors
         return np.where(screen_mask(rows, self.width, self.height).ravel()[place], colors, 0)
 
+    def fill_spans(self, spans: Spans, fills: Ints, rows: bytes) -> tuple[Ints, Ints]:
+        """Rows of pixels of polygons in order, each in its polygon's colour of `fills`.
+
+        Returns the places filled, and how many of them each span has.
+        """
+        left, right = np.maximum(spans.left, self._left), np.minimum(spans.right, self._right)
+        lengths = np.maximum(right - left + 1, 0)
+        starts = spans.y * self.width + left - (np.cumsum(lengths) - lengths)
+        place = np.repeat(starts, lengths)
+        place += np.arange(len(place))
+        inks = np.repeat(fills.astype(self.flat.dtype)[spans.owner], lengths)
+        self.flat[place] = self._patterned(place, inks, rows)
+        return place, lengths
+
     def paint(
         self,
         spans: Spans,
@@ -242,13 +256,7 @@ class Page:
 
         `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
         """
-        left, right = np.maximum(spans.left, self._left), np.minimum(spans.right, self._right)
-        lengths = np.maximum(right - left + 1, 0)
-        starts = spans.y * self.width + left - (np.cumsum(lengths) - lengths)
-        place = np.repeat(starts, lengths)
-        place += np.arange(len(place))
-        inks = np.repeat(fills.astype(self.flat.dtype)[spans.owner], lengths)
-        self.flat[place] = self._patterned(place, inks, rows)
+        place, lengths = self.fill_spans(spans, fills, rows)
         covered = len(spans.owner) and len(owners) and spans.owner[-1] > owners[0]
         if covered:
             last_fill = np.full(self.flat.shape, -1, dtype=np.int32)

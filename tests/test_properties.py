@@ -1,8 +1,10 @@
 """Invariants of drawing, on arguments that nobody would choose."""
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from bgi import VGA, VGAHI, errors
@@ -111,6 +113,18 @@ def test_a_figure_of_many_lines_is_a_loop_of_lines(style, points):
     for side in polygons.edges(corners):
         one.line(*side)
     many.drawpoly(corners)
+    assert (one.page.array == many.page.array).all()
+
+
+@quick
+@given(style=styles, points=st.lists(st.tuples(huge, huge), min_size=1, max_size=8))
+@example(style=(0, 0, 1, 0, 1), points=[(50, 50)])
+def test_a_polygon_of_many_corners_is_filled_like_one_of_few(style, points):
+    one, many = screen(style), screen(style)
+    corners = [(x + turn % 3, y) for turn in range(FEW) for x, y in points]
+    with patch("bgi.graphics.fills.FEW", 10**9):
+        one.fillpoly(corners)
+    many.fillpoly(corners)
     assert (one.page.array == many.page.array).all()
 
 

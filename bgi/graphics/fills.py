@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.arguments import BATCH, Numbers, polygon_points
-from bgi.graphics.lines import Lines
+from bgi.arguments import BATCH, Numbers, polygon_points, whole_array
+from bgi.graphics.lines import FEW, Lines
 from bgi.raster import lines, polygons
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import NO_SPANS, Point
@@ -117,9 +117,19 @@ class Fills(Lines):
     def _fill_area(self, points: list[Point], fill: int) -> None:
         """Fill a polygon, which is closed first."""
         rows = self.settings.fill_rows
-        if rows != EMPTY_ROWS:  # EMPTY_FILL leaves a polygon's interior alone
-            _, top, _, bottom = self.page.box
+        _, top, _, bottom = self.page.box
+        if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
+            return
+        if len(points) < FEW:
             self.page.fill_rows(polygons.scan(points, top, bottom), fill, rows)
+            return
+        closed = [*points, *points[:1]]
+        if sides := polygons.edges(closed):
+            x1, y1, x2, y2 = whole_array("sides", sides).T[:, :, None]
+            single = np.array([len(polygons.paths(closed)) == 1])
+            edges = polygons.Edges((x1, y1, x2, y2), np.ones(x1.shape, dtype=bool), single)
+            for _, spans in polygons.spans(edges, top, bottom):
+                self.page.fill_spans(spans, np.array([fill]), rows)
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]

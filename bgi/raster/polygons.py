@@ -22,8 +22,10 @@ Rows = tuple[Sequence[int], Sequence[int], Sequence[int]]
 
 _ROWS = 1 << 14
 """Rows worked on at a time: bounds the memory, whatever the polygons."""
-_FAR = 1 << 62
-"""No crossing lies so far out: it is clamped to less."""
+_FAR = 1 << 24
+"""Crossings beyond it are on no page, and may as well lie there."""
+_X_BITS = 26
+"""Bits that hold twice as much."""
 
 
 class Spans(NamedTuple):
@@ -214,21 +216,9 @@ class _Walls(NamedTuple):
 def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
     """The spans of polygons whose path goes down once and up once: between these two ways."""
     total, begin = int(rows.sum()), np.cumsum(rows) - rows
-    start = np.clip(walls.y, first, first + rows)
-    count = (np.clip(walls.y + walls.dy, first, first + rows) - start).ravel()
-    side = np.repeat(np.arange(len(count)), count)
-    below = ((start - walls.y).ravel() - (np.cumsum(count) - count)).take(side)
-    below += np.arange(len(side))
-    # The floor of x is the quotient toward zero, the ceiling to the left, for x is a multiple of
-    # 1 / dy; half of that more makes floats exact: coordinates are below LIMIT.
-    dy = np.maximum(walls.dy, 1).astype(np.float64)
-    rounding = np.where(walls.dx < 0, 1 - 0.5 / dy, 0.5 / dy)
-    x = (walls.dx / dy).ravel().take(side)
-    x *= below
-    x += (walls.x + rounding).ravel().take(side)
-    below += (begin - first + walls.y + total * walls.up).ravel().take(side)
+    row, x = _crossings(walls, first, rows, begin + total * walls.up)
     crossings = np.empty(2 * total)
-    crossings[below] = x
+    crossings[row] = x
     down, up = crossings[:total], crossings[total:]
     y = np.arange(total) + np.repeat(first - begin, rows)
     left, right = np.floor(np.minimum(down, up)), np.floor(np.maximum(down, up))
@@ -238,15 +228,16 @@ def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans
 def _crossed_often(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
     """The spans of any polygons: the crossings of each row sorted and paired."""
     begin = np.cumsum(rows) - rows
-    which = np.repeat(np.arange(len(rows)), rows)
-    y = np.arange(len(which)) + (first - begin)[which]
-    crossings = [
-        _crossings(y, *(array[which] for array in side)) for side in zip(*walls[:4], strict=True)
-    ]
-    ordered = np.sort(np.stack(crossings, axis=1), axis=1)
-    left, right = ordered[:, 0 : len(crossings) // 2 * 2 : 2], ordered[:, 1::2]
-    row, pair = np.nonzero(right < _FAR)
-    return Spans(y[row], left[row, pair], right[row, pair], owner[which[row]])
+    row, place = _crossings(walls, first, rows, begin)
+    x = np.clip(np.floor(place), -_FAR, _FAR).astype(np.int64)
+    ordered = np.sort((row << _X_BITS) + (x + _FAR))
+    row, x = ordered >> _X_BITS, (ordered & ((1 << _X_BITS) - 1)) - _FAR
+    starts = np.flatnonzero(np.diff(row, prepend=-1))
+    number = np.arange(len(row)) - np.repeat(starts, np.diff(starts, append=len(row)))
+    left = np.flatnonzero((number[:-1] % 2 == 0) & (row[1:] == row[:-1]))
+    row = row[left]
+    which = np.searchsorted(begin, row, side="right") - 1
+    return Spans(row + (first - begin)[which], x[left], x[left + 1], owner[which])
 
 
 def _in_order(found: list[Spans]) -> Spans:
@@ -258,11 +249,31 @@ def _in_order(found: list[Spans]) -> Spans:
     return Spans(*(array[order] for array in together))
 
 
-def _crossings(y: Ints, upper: Ints, dy: Ints, x: Ints, dx: Ints) -> Ints:
-    """Where one side crosses each row; _FAR where it does not."""
-    below = y - upper
-    x = x + toward_zero(below * dx, dy)
-    if x.dtype == object:
-        x = np.clip(x, 1 - _FAR, _FAR - 1).astype(np.int64)
-    x[(below < 0) | (below >= dy)] = _FAR
-    return x
+def _crossings(
+    walls: _Walls, first: Ints, rows: Ints, number: Ints
+) -> tuple[Ints, NDArray[np.float64]]:
+    """Where sides cross the rows of their polygons, side by side: the row and x.
+
+    `first` is each polygon's first row, `number` what that is called here. The crossing is the
+    floor of x.
+    """
+    start = np.clip(walls.y, first, first + rows).astype(np.int64, copy=False)
+    end = np.clip(walls.y + walls.dy, first, first + rows).astype(np.int64, copy=False)
+    count = (end - start).ravel()
+    side = np.repeat(np.arange(len(count)), count)
+    row = (start.ravel() - (np.cumsum(count) - count)).take(side)
+    row += np.arange(len(side))
+    below = row - walls.y.ravel().take(side)
+    if below.dtype == object:
+        across = toward_zero(below * walls.dx.ravel().take(side), walls.dy.ravel().take(side))
+        x = np.clip(across + walls.x.ravel().take(side), -_FAR, _FAR).astype(np.float64)
+    else:
+        # The quotient toward zero is the floor to the right, the ceiling to the left. It is a
+        # multiple of 1 / dy; half of that more makes floats exact: coordinates are below 2**24.
+        dy = np.maximum(walls.dy, 1).astype(np.float64)
+        rounding = np.where(walls.dx < 0, 1 - 0.5 / dy, 0.5 / dy)
+        x = (walls.dx / dy).ravel().take(side)
+        x *= below
+        x += (walls.x + rounding).ravel().take(side)
+    row += np.broadcast_to(number - first, walls.y.shape).ravel().take(side)
+    return row, x
