@@ -4,7 +4,7 @@ A field is one number for every node of the grid, brought to the range from 0 to
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,24 @@ class Field:
 
     value: FloatArray
     limits: Interval
+    quantity: Callable[[FloatArray], FloatArray] | None = None
+    """The number itself at any points (m, 3) of the surface, if they are all it depends on."""
+
+    def scaled(self, limits: Interval) -> "Field":
+        """The same as part of wider limits; what has no value counts as the lowest."""
+        (low, high), (lowest, highest) = self.limits, limits
+        value = self.value
+        if self.limits != limits:
+            value = (value * (high - low) + (low - lowest)) / ((highest - lowest) or 1.0)
+        return Field(np.nan_to_num(value), limits, self.quantity)
+
+    def at(self, points: FloatArray, beside: FloatArray) -> FloatArray:
+        """The values at points (m, 3), or where only the grid knows them, the nodes' beside."""
+        if self.quantity is None:
+            return beside
+        low, high = self.limits
+        value = (self.quantity(points) - low) / ((high - low) or 1.0)
+        return np.where(np.isfinite(value), np.clip(value, 0, 1), beside)
 
 
 def field(color: Any, grid: Grid, T: FloatArray) -> Field:
@@ -37,7 +55,8 @@ def field(color: Any, grid: Grid, T: FloatArray) -> Field:
             raise ValueError(f"color must be {names}, an array or a function, not {color!r}")
         return FIELDS[color](grid, T)
     if callable(color):
-        return spread(evaluate(color, *np.meshgrid(grid.x, grid.y, indexing="ij")))
+        nodes = evaluate(color, *np.meshgrid(grid.x, grid.y, indexing="ij"))
+        return replace(spread(nodes), quantity=lambda points: evaluate(color, *points.T[:2]))
     values = np.asarray(color, dtype=np.float64)
     if values.shape != grid.z.shape:
         raise ValueError(f"color must have the shape {grid.z.shape}, not {values.shape}")
@@ -59,7 +78,9 @@ def _gradient(grid: Grid) -> tuple[FloatArray, FloatArray]:
 
 
 def _height(grid: Grid, T: FloatArray) -> Field:
-    return spread(grid.z)
+    low, high = (float(corner[2]) for corner in grid.box)
+    value = (grid.z - low) / ((high - low) or 1.0)
+    return Field(value, (low, high), lambda points: points[:, 2])
 
 
 def _slope(grid: Grid, T: FloatArray) -> Field:

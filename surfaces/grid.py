@@ -10,11 +10,14 @@ leads from one end straight to the other is a pole, not a wall: it becomes a hol
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfaces import rim
+from surfaces.rim import Rim
 from surfaces.transforms import FloatArray
 
 Function = Callable[[Any, Any], Any]
@@ -38,6 +41,15 @@ class Grid:
     z: FloatArray
     limits: Interval | None = None
     """The range that the heights were cut to, if any."""
+    value: rim.Value | None = None
+    """The function whose heights they are, cut like them; None if there is none."""
+
+    @cached_property
+    def rim(self) -> Rim | None:
+        """What there is of cells at the edge of a hole, if a function can tell."""
+        if self.value is None or np.isfinite(self.z).all():
+            return None
+        return rim.find(self.value, self.x, self.y, self.z)
 
     @property
     def points(self) -> FloatArray:
@@ -48,8 +60,9 @@ class Grid:
     @property
     def box(self) -> tuple[FloatArray, FloatArray]:
         """The lowest and the highest corner of the box around the surface."""
-        low = np.array((self.x[0], self.y[0], np.nanmin(self.z)))
-        high = np.array((self.x[-1], self.y[-1], np.nanmax(self.z)))
+        heights = self.z if self.rim is None else np.append(self.z, self.rim.points[:, 2])
+        low = np.array((self.x[0], self.y[0], np.nanmin(heights)))
+        high = np.array((self.x[-1], self.y[-1], np.nanmax(heights)))
         return low, high
 
     @property
@@ -79,8 +92,10 @@ class Grid:
 
     def thinned(self, every: int) -> "Grid":
         """The same surface with every so many nodes of each axis, and always the last."""
+        if every == 1:
+            return self
         i, j = self.lines(every)
-        return Grid(self.x[i], self.y[j], self.z[np.ix_(i, j)], self.limits)
+        return Grid(self.x[i], self.y[j], self.z[np.ix_(i, j)], self.limits, self.value)
 
 
 def _all_corners(nodes: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -125,7 +140,7 @@ def sample(
     values = _cut(values, limits)
     if np.isnan(values).all():
         raise ValueError(f"f has no finite value on x = {x!r}, y = {y!r}")
-    return Grid(xs, ys, values, limits)
+    return Grid(xs, ys, values, limits, lambda x, y: _cut(evaluate(f, x, y), limits))
 
 
 def data(

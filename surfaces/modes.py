@@ -20,11 +20,12 @@ import numpy as np
 from surfaces import horizon, painter, sight
 from surfaces.colours import Palette
 from surfaces.contours import contours
+from surfaces.fields import Field
 from surfaces.grid import Grid, Interval
 from surfaces.hidden import View, back_to_front
 from surfaces.horizon import Horizon, Segments
 from surfaces.pen import Pen
-from surfaces.picking import pick
+from surfaces.picking import Triangles, pick
 from surfaces.sweep import Sweep
 from surfaces.transforms import FloatArray, apply
 
@@ -35,8 +36,8 @@ class Picture:
 
     pen: Pen
     grids: tuple[Grid, ...]
-    values: tuple[FloatArray, ...]
-    """For each surface the field that its colours show, 0 to 1."""
+    fields: tuple[Field, ...]
+    """For each surface the field that its colours show."""
     view: View
     palette: Palette
     ink: int
@@ -62,14 +63,21 @@ class Picture:
         """The horizon of a surface that is swept."""
         return Horizon(self.sweeps[0])
 
+    @cached_property
+    def rims(self) -> Triangles:
+        """Parts of cells at the rims of holes."""
+        found = [g.rim.triangles(g.points.reshape(-1, 3)) for g in self.grids if g.rim is not None]
+        space = np.concatenate([np.zeros((0, 3, 3)), *found])
+        return Triangles(space, apply(space, self.view.screen)[..., :2])
+
     def cells(self, every: int = 1) -> painter.Cells:
         """The cells in painting order; with ``every``, each as large as that many by as many."""
-        return painter.of_grids(self.grids, self.values, self.view, every)
+        return painter.of_grids(self.grids, self.fields, self.view, every)
 
     def pick(self, px: float, py: float) -> FloatArray | None:
         """The nearest point (x, y, z) at a pixel, or None."""
         holes = [~grid.whole for grid in self.grids]
-        return pick(self.sweeps, holes, self.view, px, py)
+        return pick(self.sweeps, holes, self.rims, self.view, px, py)
 
 
 def _fill(picture: Picture) -> None:
@@ -77,7 +85,7 @@ def _fill(picture: Picture) -> None:
     if not picture.swept:
         painter.shade(picture.pen, picture.palette, picture.cells())
         return
-    for part in horizon.fill(picture.sweeps[0], picture.values[0]):
+    for part in horizon.fill(picture.sweeps[0], picture.fields[0].value):
         shades = picture.palette.shade(part.value, part.x, part.y, part.under)
         picture.pen.pixels(part.x, part.y, shades)
 

@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 
 from surfaces.colours import Palette
 from surfaces.depth import DepthBuffer
+from surfaces.fields import Field
 from surfaces.grid import Grid, some
 from surfaces.hidden import View, back_to_front, quads
 from surfaces.pen import Pen
+from surfaces.rim import Rim
 from surfaces.transforms import FloatArray, apply
 
 Ints = NDArray[np.int64]
@@ -51,10 +53,10 @@ class Cells:
         return np.asarray((ax * by - ay * bx) * (np.cross(right, down) @ self.view.eye) < 0)
 
 
-def of_grids(grids: Sequence[Grid], values: Sequence[FloatArray], view: View, every: int) -> Cells:
+def of_grids(grids: Sequence[Grid], fields: Sequence[Field], view: View, every: int) -> Cells:
     """The cells of surfaces over the same x and y; holes left out.
 
-    ``values`` are fields over the nodes, one for each surface. With ``every``, cells are as large
+    ``fields`` are over the nodes, one for each surface. With ``every``, cells are as large
     as so many by so many.
     """
     thin = [grid.thinned(every) for grid in grids]
@@ -70,10 +72,43 @@ def of_grids(grids: Sequence[Grid], values: Sequence[FloatArray], view: View, ev
         whole = np.take_along_axis(whole, order, axis=2)
         corners = np.take_along_axis(corners, order[..., None], axis=2)
     there = back_to_front(whole, view.eye)
-    shades = np.stack([value[np.ix_(i, j)] for value in values])
-    return Cells(
+    shades = np.stack([field.value[np.ix_(i, j)] for field in fields])
+    cells = Cells(
         nodes.reshape(-1, 3), shades.ravel(), back_to_front(corners, view.eye)[there], view
     )
+    if all(grid.rim is None for grid in thin):
+        return cells
+    place = np.nonzero(there)
+    order = np.ravel_multi_index(place[:2], there.shape[:2])
+    ranks = np.empty(there.shape[:2], dtype=np.int64)
+    back_to_front(ranks, view.eye)[:] = np.arange(ranks.size).reshape(ranks.shape)
+    for grid, field, nodes_of in zip(thin, fields, index, strict=True):
+        if grid.rim is not None:
+            own = range(nodes_of[0, 0], nodes_of[-1, -1] + 1)
+            cells, order = _with_rim(cells, grid.rim, field, own, order, ranks.ravel())
+    return cells
+
+
+def _with_rim(
+    cells: Cells, rim: Rim, field: Field, nodes: range, order: Ints, ranks: Ints
+) -> tuple[Cells, Ints]:
+    """Add parts of cells at the rims of holes, each where its cell is in the painter's order.
+
+    `nodes` are the grid's among those of the cells; `order` is where in it the cells are, `ranks`
+    where any cell would be.
+    """
+    on_rim = rim.corners >= len(nodes)
+    corners = rim.corners + np.where(on_rim, len(cells.nodes) - len(nodes), nodes.start)
+    orders = np.concatenate((order, ranks[rim.cell]))
+    sequence = np.argsort(orders, kind="stable")
+    values = field.at(rim.points, cells.values[rim.beside + nodes.start])
+    more = Cells(
+        np.concatenate((cells.nodes, rim.points)),
+        np.concatenate((cells.values, values)),
+        np.concatenate((cells.corners, corners))[sequence],
+        cells.view,
+    )
+    return more, orders[sequence]
 
 
 def of_points(points: FloatArray, value: FloatArray, view: View, every: int) -> Cells:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from surfaces import frame
 from surfaces.colours import Ramp, palette
-from surfaces.fields import Field, field
+from surfaces.fields import field
 from surfaces.fitting import Room, fit
 from surfaces.frame import Frame, Surround
 from surfaces.grid import Axis, Function, Grid, Interval, data, sample
@@ -138,7 +138,8 @@ def surface(
     box, axes, title, colorbar   what is drawn around it; axes=("time", "Hz", "dB") names them
     on         the graphics system to draw on (see ``surfaces.pen``).  None: the BGI's screen
 
-    Cells where f has no finite value stay empty.  In a mode of 256 colours palette entries 16 to
+    Where f has no finite value there is a hole; it ends where f begins, also inside a cell (data
+    have only whole cells).  In a mode of 256 colours palette entries 16 to
     255 are loaded with the ramps.  Several surfaces are drawn right as long as they do not cross
     inside a cell.  ValueError, and nothing drawn, for arguments out of range.
     """
@@ -157,7 +158,7 @@ def surface(
     picture = Picture(
         pen=pen,
         grids=grids,
-        values=tuple(_rescaled(one, limits) for one in fields),
+        fields=tuple(one.scaled(limits) for one in fields),
         view=View.of(T, view),
         palette=colours,
         ink=ink,
@@ -310,16 +311,6 @@ def _box(grids: Sequence[Grid]) -> tuple[FloatArray, FloatArray]:
     """The box around all of them."""
     boxes = np.array([grid.box for grid in grids])
     return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-
-
-def _rescaled(one: Field, limits: Interval) -> FloatArray:
-    """The field's values as parts of wider limits; what has no value counts as the lowest."""
-    (low, high), (lowest, highest) = one.limits, limits
-    if one.limits != limits:
-        value = (one.value * (high - low) + (low - lowest)) / ((highest - lowest) or 1.0)
-    else:
-        value = one.value
-    return np.nan_to_num(value)
 
 
 def _inks(lines: int | tuple[int, int] | None, usual: int) -> tuple[int, int]:

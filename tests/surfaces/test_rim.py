@@ -1,0 +1,112 @@
+"""The rims of holes: a surface ends where its function ends, not at the last line of the grid."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from surfaces import data, rotation, sample, surface
+from surfaces.rim import PIECES
+from surfaces.transforms import FloatArray
+from tests.surfaces.raycast import Canvas
+
+FLAT: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}
+
+
+def dome(x: FloatArray, y: FloatArray) -> FloatArray:
+    return np.sqrt(0.81 - x * x - y * y)
+
+
+def disk(x: FloatArray, y: FloatArray) -> FloatArray:
+    return np.where(x * x + y * y < 0.81, 1.0, np.nan)
+
+
+def area(triangles: FloatArray) -> float:
+    """The area of triangles as seen from above."""
+    a, b, c = triangles[..., :2].swapaxes(0, 1)
+    (ux, uy), (vx, vy) = (b - a).T, (c - a).T
+    return float(np.abs(ux * vy - uy * vx).sum() / 2)
+
+
+@pytest.mark.parametrize("n", [7, 20, 61])
+def test_a_disk_is_round(n: int) -> None:
+    grid = sample(disk, (-1, 1), (-1, 1), n)
+    assert grid.rim is not None
+    cell = (2 / n) ** 2
+    whole = grid.whole.sum() * cell
+    round_one = whole + area(grid.rim.triangles(grid.points.reshape(-1, 3)))
+    # What is missing are the bows over chords: of the order of a cell's side squared.
+    assert np.pi * 0.81 - 2 * cell < round_one < np.pi * 0.81
+    assert np.hypot(*grid.rim.points[:, :2].T) == pytest.approx(0.9, abs=1e-3)
+
+
+def test_a_dome_stands_on_the_floor() -> None:
+    low, high = sample(dome, (-1, 1), (-1, 1), 20).box
+    assert (low[2], high[2]) == pytest.approx((0, 0.9), abs=0.03)
+
+
+@pytest.mark.parametrize(
+    "f",
+    [
+        lambda x, y: 1 / x,  # a pole at a line of the grid
+        lambda x, y: np.log(x * x + y * y - 0.531),  # a pole at a ring
+        lambda x, y: np.where(x == 0, np.nan, x * y),  # a line that is missing, and repaired
+        lambda x, y: np.sin(1 / x),  # undecided at a line
+        lambda x, y: x + y,
+    ],
+)
+def test_where_there_is_no_rim(f: Any) -> None:
+    with np.errstate(all="ignore"):
+        rim = sample(f, (-1, 1), (-1, 1), 20).rim
+    assert rim is None or len(rim.corners) == 0
+
+
+def test_data_have_no_rim() -> None:
+    z = np.ones((5, 5))
+    z[2, 2] = np.nan
+    assert data(z).rim is None
+
+
+def test_every_case_covers_what_is_there() -> None:
+    """The pieces of a cell with ends in the middles of its sides, for each choice of corners."""
+    places = np.array(((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)), float)
+    areas = {0: 0.0, 1: 0.5, 2: 2.0, 3: 3.5, 4: 0.0}
+    for case, pieces in enumerate(PIECES):
+        corners = places[np.array(pieces, dtype=int).reshape(-1, 4)]
+        a, b, c, d = corners.swapaxes(0, 1)
+        covered = area(np.stack((a, b, c), axis=1)) + area(np.stack((a, c, d), axis=1))
+        count = case.bit_count()
+        assert covered == (1.0 if case in (0b0101, 0b1010) else areas[count]), bin(case)
+
+
+@pytest.mark.parametrize("mode", ["fill", "facets", "mesh", "fill+mesh"])
+@pytest.mark.parametrize("turn", [0.0, 0.4, 2.5])
+def test_the_silhouette_of_a_disk_is_an_ellipse(mode: str, turn: float) -> None:
+    """Against the same disk with so many cells that the rim is less than a pixel wide."""
+    coarse, fine = Canvas(320, 240), Canvas(320, 240)
+    T = rotation((1, 2, 3), turn)
+    surface(disk, **FLAT, n=24, transform=T, mode=mode, every=1, lines=5, on=coarse)
+    surface(disk, **FLAT, n=400, transform=T, on=fine)
+    seen, true = coarse.array > 0, fine.array > 0
+    if mode != "mesh":  # of which the lines are drawn, and not what is between them
+        assert (seen != true).sum() < 0.03 * true.sum()
+    assert (seen & ~true).sum() < 0.025 * true.sum()  # outlines are half a pixel larger
+
+
+def test_what_is_seen_at_the_rim_can_be_picked() -> None:
+    canvas = Canvas(320, 240)
+    plot = surface(dome, **FLAT, n=24, transform=rotation((1, 2, 3), 0.4), on=canvas)
+    y, x = np.nonzero(canvas.array)
+    found = [plot.pick(px, py) for px, py in zip(x[::7].tolist(), y[::7].tolist(), strict=True)]
+    assert sum(point is None for point in found) < 0.01 * len(found)
+    for point in found:
+        if point is not None:
+            assert point[0] ** 2 + point[1] ** 2 + point[2] ** 2 == pytest.approx(0.81, abs=0.15)
+
+
+def test_two_surfaces_with_holes() -> None:
+    """Each covers the other where it is nearer, also at its rim."""
+    both, upper = Canvas(320, 240), Canvas(320, 240)
+    surface([disk, lambda x, y: disk(x, y) - 1], **FLAT, n=24, mode="facets", on=both)
+    surface([disk, lambda x, y: disk(x, y) - 1], **FLAT, n=24, on=upper)
+    assert (both.array > 0).sum() == pytest.approx((upper.array > 0).sum(), rel=0.02)
