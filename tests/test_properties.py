@@ -8,6 +8,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from bgi import VGA, VGAHI, errors
+from bgi.arguments import LIMIT
 from bgi.graphics import Graphics
 from bgi.graphics.lines import FEW
 from bgi.modes import find
@@ -16,6 +17,7 @@ from bgi.raster import polygons
 LEFT, TOP, RIGHT, BOTTOM = 40, 30, 139, 99
 near = st.integers(-60, 160)
 huge = st.one_of(near, st.integers(-(10**6), 10**6), st.integers(-(10**30), 10**30))
+far = st.one_of(st.integers(0, 479), st.integers(1 - LIMIT, LIMIT - 1), st.just(LIMIT - 1))
 color = st.integers(0, 15)
 quick = settings(
     deadline=None, max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture]
@@ -102,6 +104,16 @@ def test_array_of_polygons_is_a_loop_of_calls(style, corners, data):
         inks = {"fill": fills, "color": colors} if call == "fillpoly" else {"color": colors}
         getattr(many, call)(np.array(points), **inks)
         assert (one.page.array == many.page.array).all(), call
+
+
+@quick
+@given(points=st.lists(st.tuples(far, far), min_size=3, max_size=5))
+def test_the_crossings_of_long_sides_are_whole_numbers_of_the_rule(points):
+    """Array polygons are computed in floats, a single one in whole numbers."""
+    one, many = screen(viewport=False), screen(viewport=False)
+    one.fillpoly(points, color=0)
+    many.fillpoly([points], color=0)
+    assert (one.page.array == many.page.array).all()
 
 
 @quick
