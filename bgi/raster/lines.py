@@ -26,8 +26,6 @@ Segments = tuple[Ints, Ints, Ints, Ints]
 
 PIXELS = 8192
 """Pixels traced at a time."""
-_STEPS = np.arange(1 << 13, dtype=np.float64)
-"""No page is wider or higher."""
 _MOVES = 8
 """More moves than any line needs to come inside: each end crosses at most two edges."""
 
@@ -116,8 +114,12 @@ def places(segment: Segment, width: int) -> Ints:
     n, m, along, across = abs(dx), dy, right, width
     if dy > n:
         n, m, along, across = dy, n, width, right
-    # The rule's fractions are multiples of 1 / 2n: half of that more makes floats exact.
-    place = (_STEPS[: n + 1] * (m / (n or 1)) + (0.5 + 0.25 / (n or 1))).astype(np.int64)
+    # The rule's fractions are multiples of 1 / 2n: half of that more outweighs what a step with 32
+    # bits of fraction lacks. (A level or upright line needs steps too, to be as long as it is.)
+    length = n or 1
+    start, step = (1 << 31) + (1 << 30) // length, (m << 32) // length or 1
+    place = np.arange(start, start + (n + 1) * step, step)
+    place >>= 32
     place *= across
     place += np.arange(y1 * width + x1, y1 * width + x1 + (n + 1) * along, along)
     return place
