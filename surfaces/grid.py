@@ -86,6 +86,20 @@ class Grid:
             joined &= ~((np.minimum(z1, z2) == low) & (np.maximum(z1, z2) == high))
         return joined
 
+    def loose_ends(self, every: int) -> tuple[FloatArray, NDArray[np.bool_]]:
+        """Where lines of a mesh go on from their last node to the rim of a hole.
+
+        Both ends of each piece, (m, 2, 3), and whether it belongs to a line of constant x.
+        """
+        if self.rim is None:
+            return np.zeros((0, 2, 3)), np.zeros(0, dtype=bool)
+        i, j = self.lines(every)
+        pieces = np.stack((self.points.reshape(-1, 3)[self.rim.beside], self.rim.points), axis=1)
+        of_x = pieces[:, 0, 0] == pieces[:, 1, 0]
+        x, y = pieces[:, 0, :2].T
+        chosen = np.where(of_x, np.isin(x, self.x[i]), np.isin(y, self.y[j]))
+        return pieces[chosen], of_x[chosen]
+
     def lines(self, every: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Every so many nodes of x and of y, where a mesh has its lines; always the last."""
         return some(len(self.x), every), some(len(self.y), every)

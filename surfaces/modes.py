@@ -100,6 +100,9 @@ def _wire(picture: Picture) -> None:
         painter.wire(
             picture.pen, grid.points, picture.view, picture.every, picture.ink, grid.joined
         )
+        pieces, _ = grid.loose_ends(picture.every)
+        starts, ends = apply(pieces, picture.view.screen)[..., :2].swapaxes(0, 1)
+        picture.pen.lines(starts, ends, picture.ink)
 
 
 def _mesh(picture: Picture) -> None:
@@ -128,8 +131,11 @@ def _waterfall(picture: Picture) -> None:
     # Strip by strip toward the eye: each covers what is behind it, and shows its far line.
     for grid in picture.grids:
         i, _ = grid.lines(picture.every)
+        pieces, of_x = grid.loose_ends(picture.every)
+        loose = apply(pieces, picture.view.screen)[..., :2]
         nodes = apply(grid.points[i], picture.view.screen)[..., :2]
         rows = back_to_front(nodes, picture.view.eye)
+        lines = back_to_front(grid.x[i][:, None], picture.view.eye)[:, 0]
         joined = back_to_front(grid.joined[1][i], picture.view.eye)
         for k in range(len(rows)):
             behind, front = rows[k], rows[min(k + 1, len(rows) - 1)]
@@ -137,6 +143,8 @@ def _waterfall(picture: Picture) -> None:
             there = joined[k] & joined[min(k + 1, len(rows) - 1)]
             picture.pen.polygons(corners[there], painter.BACKGROUND, painter.BACKGROUND)
             picture.pen.lines(behind[:-1][joined[k]], behind[1:][joined[k]], picture.ink)
+            ends = loose[of_x & (pieces[:, 0, 0] == lines[k])]
+            picture.pen.lines(ends[:, 0], ends[:, 1], picture.ink)
 
 
 def _draw(picture: Picture, segments: Segments) -> None:

@@ -1,11 +1,13 @@
 """The rims of holes: a surface ends where its function ends, not at the last line of the grid."""
 
+from dataclasses import replace
+from math import pi
 from typing import Any
 
 import numpy as np
 import pytest
 
-from surfaces import data, rotation, sample, surface
+from surfaces import data, orthographic, rotation, sample, surface
 from surfaces.rim import PIECES
 from surfaces.transforms import FloatArray
 from tests.surfaces.raycast import Canvas
@@ -91,6 +93,35 @@ def test_the_silhouette_of_a_disk_is_an_ellipse(mode: str, turn: float) -> None:
     if mode != "mesh":  # of which the lines are drawn, and not what is between them
         assert (seen != true).sum() < 0.03 * true.sum()
     assert (seen & ~true).sum() < 0.025 * true.sum()  # outlines are half a pixel larger
+
+
+@pytest.mark.parametrize("every", [1, 4])
+def test_lines_run_to_the_rim(every: int) -> None:
+    grid = sample(disk, (-1, 1), (-1, 1), 24)
+    pieces, of_x = grid.loose_ends(every)
+    assert np.hypot(*pieces[:, 1, :2].T) == pytest.approx(0.9, abs=1e-3)
+    assert (pieces[of_x, 0, 0] == pieces[of_x, 1, 0]).all()
+    assert (pieces[~of_x, 0, 1] == pieces[~of_x, 1, 1]).all()
+    lines = [x for x in grid.x[grid.lines(every)[0]] if abs(x) < 0.9]
+    assert sorted(pieces[of_x, 0, 0]) == sorted(2 * lines)
+
+
+@pytest.mark.parametrize("mode", ["wire", "waterfall"])
+def test_drawn_lines_reach_the_rim(mode: str) -> None:
+    """As a flat disk is seen from above: its lines end on a circle of 90 pixels' radius."""
+    canvas = Canvas(220, 220)
+    above = replace(orthographic(-pi / 2, pi / 2), origin=(110, 110), scale=(100, 100, 100))
+    surface(disk, **FLAT, n=24, mode=mode, every=1, lines=5, mapping=above, on=canvas)
+    drawn = 0
+    for x in np.linspace(-1, 1, 25):
+        column = round(110 + 100 * x)
+        y = np.flatnonzero(canvas.array[:, column])
+        if abs(x) < 0.8 and len(y):
+            drawn += 1
+            half = 100 * np.sqrt(0.81 - x * x)
+            assert y[0] == pytest.approx(110 - half, abs=2)
+            assert y[-1] == pytest.approx(110 + half, abs=2)
+    assert drawn == 19
 
 
 def test_what_is_seen_at_the_rim_can_be_picked() -> None:
