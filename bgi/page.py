@@ -17,7 +17,8 @@ from bgi.raster.curves import Offset, Outline
 from bgi.raster.floodfill import flood
 from bgi.raster.lines import Box, Ints, Segments
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_MASK, SOLID_ROWS, screen_mask
-from bgi.raster.polygons import Rows, Spans
+from bgi.raster.polygons import Rows
+from bgi.raster.spans import Spans
 from bgi.sdl import pygame
 
 Mask = NDArray[np.bool_]

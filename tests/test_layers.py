@@ -19,6 +19,7 @@ LAYERS = [
     "bgi.raster.patterns",
     "bgi.raster.curves",
     "bgi.raster.polygons",
+    "bgi.raster.spans",
     "bgi.raster.floodfill",
     "bgi.png",
     "bgi.sdl",

@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from bgi.arguments import BATCH, Numbers, polygon_points, whole_array
 from bgi.graphics.lines import FEW, Lines
-from bgi.raster import lines, polygons
+from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
-from bgi.raster.polygons import NO_SPANS, Point
+from bgi.raster.polygons import Point
+from bgi.raster.spans import NO_SPANS, Edges
 
 
 class Fills(Lines):
@@ -127,24 +128,24 @@ class Fills(Lines):
         if sides := polygons.edges(closed):
             x1, y1, x2, y2 = whole_array("sides", sides).T[:, :, None]
             single = np.array([len(polygons.paths(closed)) == 1])
-            edges = polygons.Edges((x1, y1, x2, y2), np.ones(x1.shape, dtype=bool), single)
-            for _, spans in polygons.spans(edges, top, bottom):
-                self.page.fill_spans(spans, np.array([fill]), rows)
+            edges = Edges((x1, y1, x2, y2), np.ones(x1.shape, dtype=bool), single)
+            for _, found in spans.fill(edges, top, bottom):
+                self.page.fill_spans(found, np.array([fill]), rows)
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
     ) -> None:
-        edges = polygons.edges_many(np.concatenate([points, points[:, :1]], axis=1))
+        edges = spans.edges_many(np.concatenate([points, points[:, :1]], axis=1))
         drawn = edges.real & (colors != 0)
         rows, box = self.settings.fill_rows, self.page.box
-        for part, spans in polygons.spans(edges, box[1], box[3]):
+        for part, found in spans.fill(edges, box[1], box[3]):
             owners, side = np.nonzero(drawn[:, part].T)
             owners += part.start
             x1, y1, x2, y2 = (end[side, owners] for end in edges.sides)
             segments = (x1, y1, x2, y2)
             if self._thick:
                 segments, owners = lines.strands_many(segments), np.repeat(owners, 3)
-            filled = NO_SPANS if rows == EMPTY_ROWS else spans
+            filled = NO_SPANS if rows == EMPTY_ROWS else found
             self.page.paint(filled, fills, rows, segments, owners, colors, self._pattern)
 
     # Flood filling

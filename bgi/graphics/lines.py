@@ -17,7 +17,7 @@ from bgi.arguments import (
     whole_array,
 )
 from bgi.graphics.screen import Screen
-from bgi.raster import lines, polygons
+from bgi.raster import lines, polygons, spans
 from bgi.raster.lines import Segment, Segments
 from bgi.raster.polygons import Point
 
@@ -177,7 +177,7 @@ class Lines(Screen):
             ink = self._one_color("color", color, self.settings.color)
             self._sides(polygons.edges(self._shifted(corners)), ink)
         else:
-            sides, real, _ = polygons.edges_many(corners + self._origin)
+            sides, real, _ = spans.edges_many(corners + self._origin)
             colors = self._colors("color", color, self.settings.color, len(corners))
             owners, which = np.nonzero(real.T)
             x1, y1, x2, y2 = (end[which, owners] for end in sides)
