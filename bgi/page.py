@@ -22,6 +22,7 @@ from bgi.raster.spans import Spans
 from bgi.sdl import pygame
 
 Mask = NDArray[np.bool_]
+Cuts = dict[int, memoryview]
 Pixels = NDArray[Any]
 
 _PIXEL: dict[int, np.dtype[Any]] = {1: np.dtype(np.uint8), 4: np.dtype("<u4")}
@@ -206,8 +207,8 @@ class Page:
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
         """Rows of pixels (y within the clipping box) in a fill pattern."""
         left, right, width, pixels = self._left, self._right, self.width, self._row
-        solid = _rows_of(color, width, self.flat.dtype) if pattern == SOLID_ROWS else None
-        mask = screen_mask(pattern, width, self.height)
+        whole, cut = _row_of(color, width, self.flat.dtype)
+        mask = None if pattern == SOLID_ROWS else screen_mask(pattern, width, self.height)
         for y, a, b in zip(*where, strict=True):
             if a > b:
                 a, b = b, a
@@ -217,11 +218,16 @@ class Page:
                 b = right
             if a > b:
                 continue
-            if solid:
-                y *= width
-                pixels[y + a : y + b + 1] = solid[b - a]
-            else:
-                self.array[y, a : b + 1] = self._inked(mask[y, a : b + 1], color)
+            b += 1
+            if mask is not None:
+                self.array[y, a:b] = self._inked(mask[y, a:b], color)
+                continue
+            try:
+                ink = cut[b - a]
+            except KeyError:
+                ink = cut[b - a] = whole[: b - a]
+            y *= width
+            pixels[y + a : y + b] = ink
 
     def _patterned(self, place: Ints, colors: Ints, rows: bytes) -> Ints:
         """What a fill writes at those places."""
@@ -324,11 +330,10 @@ class Page:
         self.flat.fill(0)
 
 
-@lru_cache(maxsize=32)
-def _rows_of(color: int, width: int, dtype: np.dtype[Any]) -> list[memoryview]:
-    """Rows of one colour to copy from, one pixel long, two, and so on up to `width`."""
-    row = np.full(width, color, dtype).data
-    return [row[:length] for length in range(1, width + 1)]
+@lru_cache(maxsize=64)
+def _row_of(color: int, width: int, dtype: np.dtype[Any]) -> tuple[memoryview, Cuts]:
+    """A row of one colour to copy from, and what has been cut from its beginning, by length."""
+    return np.full(width, color, dtype).data, {}
 
 
 def _copy(part: Pixels, image: Pixels, mask: Any) -> None:
