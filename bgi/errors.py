@@ -26,6 +26,8 @@ def say_in_one_line() -> None:
     uncaught exceptions is asked about all others.
     """
     before = sys.excepthook
+    if getattr(before, "__module__", None) == __name__:
+        return
 
     def hook(
         kind: type[BaseException], error: BaseException, traceback: TracebackType | None
@@ -35,8 +37,7 @@ def say_in_one_line() -> None:
         else:
             before(kind, error, traceback)
 
-    if getattr(before, "__module__", None) != __name__:
-        sys.excepthook = hook
+    sys.excepthook = hook
 
 
 class Result:

@@ -122,7 +122,7 @@ def test_a_figure_of_many_lines_is_a_loop_of_lines(style, points):
     """Of very many lines the page gets all at once."""
     one, many = screen(style), screen(style)
     corners = [(x + turn, y) for turn in range(FEW) for x, y in points]
-    for side in polygons.edges(corners):
+    for side in polygons.edges(polygons.paths(corners)):
         one.line(*side)
     many.drawpoly(corners)
     assert (one.page.array == many.page.array).all()

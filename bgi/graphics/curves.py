@@ -121,7 +121,7 @@ class Curves(Fills):
         if not curves.drawable(rx, ry):
             return
         corners = [(x + dx, y + dy) for dx, dy in curves.thick_points(start, end, rx, ry)]
-        for side in polygons.edges(corners):
+        for side in polygons.edges(polygons.paths(corners)):
             for strand in lines.strands(*side):
                 if self._xor:
                     self.page.styled_line(strand, color, SOLID_MASK, True)
@@ -182,7 +182,7 @@ class Curves(Fills):
         for first, last in curves.quarters(start, end):
             arc = [(cx + dx, cy + dy) for dx, dy in curves.arc(first, last, rx, ry)]
             self._fill_area([*arc, (cx, cy)], fill)
-            self._sides(polygons.edges(arc), color)
+            self._sides(polygons.edges(polygons.paths(arc)), color)
         for angle in (start, end):  # without an angle between them both radii are a dot
             dx, dy = curves.point_at(angle, rx, ry) if start < end else (0, 0)
             self._segment(cx, cy, cx + dx, cy + dy, color)

@@ -9,7 +9,7 @@ from bgi.arguments import BATCH, Numbers, polygon_points, whole_array
 from bgi.graphics.lines import FEW, Lines
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
-from bgi.raster.polygons import Point
+from bgi.raster.polygons import Path, Point
 from bgi.raster.spans import NO_SPANS, Edges
 
 
@@ -111,26 +111,26 @@ class Fills(Lines):
                 self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
-        self._fill_area(points, fill)
+        outline = self._fill_area(points, fill)
         if color:  # an outline in colour 0 is not drawn
-            self._sides(polygons.edges([*points, *points[:1]]), color)
+            self._sides(polygons.edges(outline), color)
 
-    def _fill_area(self, points: list[Point], fill: int) -> None:
-        """Fill a polygon, which is closed first."""
+    def _fill_area(self, points: list[Point], fill: int) -> list[Path]:
+        """Fill a polygon, which is closed first; returns its paths."""
+        outline = polygons.paths([*points, *points[:1]])
         rows = self.settings.fill_rows
         _, top, _, bottom = self.page.box
         if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
-            return
-        if len(points) < FEW:
-            self.page.fill_rows(polygons.scan(points, top, bottom), fill, rows)
-            return
-        closed = [*points, *points[:1]]
-        if sides := polygons.edges(closed):
-            x1, y1, x2, y2 = whole_array("sides", sides).T[:, :, None]
-            single = np.array([len(polygons.paths(closed)) == 1])
-            edges = Edges((x1, y1, x2, y2), np.ones(x1.shape, dtype=bool), single)
+            pass
+        elif len(points) < FEW:
+            self.page.fill_rows(polygons.scan(outline, top, bottom), fill, rows)
+        elif outline:
+            x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T[:, :, None]
+            real, single = np.ones(x1.shape, dtype=bool), np.array([len(outline) == 1])
+            edges = Edges((x1, y1, x2, y2), real, single)
             for _, found in spans.fill(edges, top, bottom):
                 self.page.fill_spans(found, np.array([fill]), rows)
+        return outline
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]

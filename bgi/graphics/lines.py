@@ -175,7 +175,7 @@ class Lines(Screen):
         corners = polygon_points(points, flat)
         if isinstance(corners, list):
             ink = self._one_color("color", color, self.settings.color)
-            self._sides(polygons.edges(self._shifted(corners)), ink)
+            self._sides(polygons.edges(polygons.paths(self._shifted(corners))), ink)
         else:
             sides, real, _ = spans.edges_many(corners + self._origin)
             colors = self._colors("color", color, self.settings.color, len(corners))

@@ -13,14 +13,15 @@ from itertools import pairwise
 from bgi.raster.lines import Segment
 
 Point = tuple[int, int]
+Path = list[Point]
 Rows = tuple[Sequence[int], Sequence[int], Sequence[int]]
 """y and both ends of rows to fill, the ends in any order."""
 
 
-def paths(points: Sequence[Point]) -> list[list[Point]]:
+def paths(points: Sequence[Point]) -> list[Path]:
     """Split a polygon where a path returns to its first point; a lone last point is no path."""
-    found: list[list[Point]] = []
-    path: list[Point] = []
+    found: list[Path] = []
+    path: Path = []
     for point in points:
         if not path or point != path[0]:
             path.append(point)
@@ -33,15 +34,14 @@ def paths(points: Sequence[Point]) -> list[list[Point]]:
     return found
 
 
-def edges(points: Sequence[Point]) -> list[Segment]:
+def edges(outline: Sequence[Path]) -> list[Segment]:
     """The lines of a polygon, path by path: what drawpoly() draws."""
-    return [(*start, *end) for path in paths(points) for start, end in pairwise(path)]
+    return [(*start, *end) for path in outline for start, end in pairwise(path)]
 
 
-def scan(points: Sequence[Point], top: int, bottom: int) -> Rows:
-    """The rows that fill one polygon, as far as top..bottom show them."""
-    outline = paths([*points, *points[:1]])
-    heights = [y for _, y in points]
+def scan(outline: Sequence[Path], top: int, bottom: int) -> Rows:
+    """The rows that fill a closed polygon given by its paths, as far as top..bottom show them."""
+    heights = [y for path in outline for _, y in path]
     top, bottom = max(top, min(heights, default=0)), min(bottom, max(heights, default=0) - 1)
     height = max(0, bottom + 1 - top)
     down, up = [0] * height, [0] * height
