@@ -344,10 +344,7 @@ class Explorer:
 
     def draw(self) -> None:
         """All that is to be seen, on the page that is not shown."""
-        if self.picture is None:
-            self.picture = self.draw_surface()
-        cleardevice()
-        putimage(0, 0, self.picture, COPY_PUT)
+        self.show_surface()
         self._cross()
         line(0, self.height, getmaxx(), self.height, DARKGRAY)
         if self.editing:
@@ -362,9 +359,15 @@ class Explorer:
         for row, text in enumerate(KEYS, 3):
             write(row, text, BLACK)
 
+    def show_surface(self) -> None:
+        """The surface alone; under a moving cross-hair it need not be drawn anew."""
+        if self.picture is None:
+            self.picture = self._draw_surface()
+        cleardevice()
+        putimage(0, 0, self.picture, COPY_PUT)
+
     @np.errstate(all="ignore")  # formulas may be as wild as they like
-    def draw_surface(self) -> Image:
-        """The surface alone, to be kept: under a moving cross-hair it stays what it is."""
+    def _draw_surface(self) -> Image:
         cleardevice()
         setviewport(0, 0, self.width - 1, self.height - 1, 1)
         self.plot, self.problem = None, ""
@@ -387,7 +390,7 @@ class Explorer:
             self.note = str(error)
 
     def _save_picture(self, file: Path) -> None:
-        self.picture = self.draw_surface()
+        self.show_surface()
         writeimagefile(file, 0, 0, self.width - 1, self.height - 1)
 
     def _save_turn(self, file: Path) -> None:
@@ -398,6 +401,7 @@ class Explorer:
         """The pictures of a turn about z, each written to the same file; a key ends it early."""
         for number in range(1, FRAMES + 1):
             self.view.spin.value += 360 / FRAMES
+            self.picture = None
             self._save_picture(file)
             self.note = f"drawing {number} of {FRAMES}; a key ends it"
             self.draw()

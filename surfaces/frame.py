@@ -19,6 +19,9 @@ from surfaces.pen import Pen
 from surfaces.ticks import labels, ticks
 from surfaces.transforms import FloatArray, apply
 
+Box = tuple[FloatArray, FloatArray]
+"""The upper left and the lower right corner of something on the screen."""
+
 # LIGHTGRAY, DARKGRAY and WHITE of graphics.h.
 EDGE, GRID, TEXT = 7, 8, 15
 # In characters: the length of a tick, the bar of colours, and the bar with its numbers.
@@ -91,7 +94,7 @@ class Frame:
 
     def axes(self, names: Sequence[str]) -> None:
         """Ticks, numbers and names, each axis at an edge of the outline."""
-        taken: list[tuple[FloatArray, FloatArray]] = []
+        taken: list[Box] = []
         for axis, name in enumerate(names):
             outline = [(start, stop) for start, stop, n in self._edges(axis) if n == 1]
             # Of the two, the lower one on the screen; for z the left one.
@@ -111,7 +114,7 @@ class Frame:
         name: str,
         start: FloatArray,
         stop: FloatArray,
-        taken: list[tuple[FloatArray, FloatArray]],
+        taken: list[Box],
     ) -> None:
         """One axis; `taken` are the places that have been written on."""
         ends = apply((start, stop), self.view.screen)[:, :2]
@@ -133,18 +136,19 @@ class Frame:
             self.pen.lines(foot[None], tip[None], self.pen.ink(EDGE))
             box = self._place(tip, outward, text)
             if box and not any(_touch(box, other) for other in taken):  # where two axes meet
-                taken.append(box)
-                self.pen.text(box[0][0], box[0][1], text, self.pen.ink(TEXT))
+                self._write(box, text, taken)
         widest = max(map(len, texts), default=0)
         clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
         box = self._place(ends.mean(axis=0) + clear * outward, outward, name)
         if box:
-            taken.append(box)
-            self.pen.text(box[0][0], box[0][1], name, self.pen.ink(TEXT))
+            self._write(box, name, taken)
 
-    def _place(
-        self, at: FloatArray, outward: FloatArray, text: str
-    ) -> tuple[FloatArray, FloatArray] | None:
+    def _write(self, box: Box, text: str, taken: list[Box]) -> None:
+        (left, top), _ = box
+        self.pen.text(left, top, text, self.pen.ink(TEXT))
+        taken.append(box)
+
+    def _place(self, at: FloatArray, outward: FloatArray, text: str) -> Box | None:
         """The box of a text a little outward from a point; None if that is off the screen."""
         character = self.pen.character
         screen = np.array((self.pen.width, self.pen.height))
@@ -156,7 +160,7 @@ class Frame:
         return low, low + size
 
 
-def _touch(one: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArray]) -> bool:
+def _touch(one: Box, other: Box) -> bool:
     """Whether two boxes meet, or two texts in them would read as one."""
     gap = np.array(((one[1] - one[0])[1] / 2, 0.0))
     return bool((one[0] < other[1] + gap).all() and (other[0] < one[1] + gap).all())

@@ -76,15 +76,29 @@ def of_grids(grids: Sequence[Grid], fields: Sequence[Field], view: View, every: 
     cells = Cells(
         nodes.reshape(-1, 3), shades.ravel(), back_to_front(corners, view.eye)[there], view
     )
-    if all(grid.rim is None for grid in thin):
-        return cells
-    place = np.nonzero(there)
-    order = np.ravel_multi_index(place[:2], there.shape[:2])
+    if any(grid.rim is not None for grid in thin):
+        cells = _with_rims(cells, thin, fields, index, there)
+    return cells
+
+
+def _with_rims(
+    cells: Cells,
+    grids: Sequence[Grid],
+    fields: Sequence[Field],
+    index: Ints,
+    there: NDArray[np.bool_],
+) -> Cells:
+    """Add the parts of cells at the rims of holes, each where its cell is in the painter's order.
+
+    `index` are the numbers of each grid's nodes, `there` says which cells, in painting order, are
+    among the others.
+    """
+    order = np.ravel_multi_index(np.nonzero(there)[:2], there.shape[:2])
     ranks = np.empty(there.shape[:2], dtype=np.int64)
-    back_to_front(ranks, view.eye)[:] = np.arange(ranks.size).reshape(ranks.shape)
-    for grid, field, nodes_of in zip(thin, fields, index, strict=True):
+    back_to_front(ranks, cells.view.eye)[:] = np.arange(ranks.size).reshape(ranks.shape)
+    for grid, field, nodes in zip(grids, fields, index, strict=True):
         if grid.rim is not None:
-            own = range(nodes_of[0, 0], nodes_of[-1, -1] + 1)
+            own = range(nodes[0, 0], nodes[-1, -1] + 1)
             cells, order = _with_rim(cells, grid.rim, field, own, order, ranks.ravel())
     return cells
 

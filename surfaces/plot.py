@@ -139,9 +139,9 @@ def surface(
     on         the graphics system to draw on (see ``surfaces.pen``).  None: the BGI's screen
 
     Where f has no finite value there is a hole; it ends where f begins, also inside a cell (data
-    have only whole cells).  In a mode of 256 colours palette entries 16 to
-    255 are loaded with the ramps.  Several surfaces are drawn right as long as they do not cross
-    inside a cell.  ValueError, and nothing drawn, for arguments out of range.
+    have only whole cells).  In a mode of 256 colours palette entries 16 to 255 are loaded with the
+    ramps.  Several surfaces are drawn right as long as they do not cross inside a cell.
+    ValueError, and nothing drawn, for arguments out of range.
     """
     _check(mode, MODES, every)
     pen = Pen(on)

@@ -73,6 +73,7 @@ def clip(starts: FloatArray, ends: FloatArray, width: int, height: int) -> tuple
 
 
 def _nearest(points: FloatArray) -> Ints:
+    """`rounded` for points of the screen: of what is not negative, truncation is the floor."""
     return (points + 0.5).astype(np.int64)
 
 
