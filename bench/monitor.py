@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 
 import bgi
-from bgi import current
+from bgi.graphics import current
 from bgi.monitor import Window, display_exists
 
 FLIPS = 20_000

@@ -11,6 +11,15 @@ The functions and constants have Borland's names and argument order; what C retu
 pointers, Python returns. The rest of conio.h and dos.h is in `bgi.conio` and `bgi.dos`.
 """
 
+from bgi.api.clicks import (
+    clearmouseclick,
+    getmouseclick,
+    ismouseclick,
+    mousex,
+    mousey,
+    registermousehandler,
+    setmousequeuestatus,
+)
 from bgi.api.curves import (
     arc,
     circle,
@@ -50,15 +59,6 @@ from bgi.api.images import (
     putimage,
     readimagefile,
     writeimagefile,
-)
-from bgi.api.mouse import (
-    clearmouseclick,
-    getmouseclick,
-    ismouseclick,
-    mousex,
-    mousey,
-    registermousehandler,
-    setmousequeuestatus,
 )
 from bgi.api.screen import (
     cleardevice,
@@ -317,7 +317,7 @@ from bgi.constants import (
 from bgi.dos import delay
 from bgi.errors import BGIError, WindowClosed
 from bgi.graphics import Graphics
-from bgi.images import Image
+from bgi.memory.image import Image
 from bgi.settings import (
     arccoordstype,
     fillsettingstype,

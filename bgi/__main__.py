@@ -15,11 +15,11 @@ from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from bgi import current
 from bgi.errors import BGIError, WindowClosed
-from bgi.keyboard import parse_script
+from bgi.graphics import current
+from bgi.memory.sdl import pygame, quietly
 from bgi.monitor import display_exists
-from bgi.sdl import pygame, quietly
+from bgi.monitor.keyboard import parse_script
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -1,7 +1,7 @@
 """The keyboard, as conio.h has it: kbhit(), getch() and their like for the graphics window."""
 
-from bgi import current
-from bgi.arguments import Number, whole
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, whole
 
 EOF = -1
 """What ungetch() returns when it cannot."""

@@ -6,9 +6,9 @@ Not star-exported: `random` and `sleep` would stand in the way of Python's own.
 import time as _time
 from dataclasses import dataclass
 
-from bgi import current
-from bgi.arguments import Number, whole
-from bgi.keyboard import bios_code
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, whole
+from bgi.monitor.keyboard import bios_code
 
 CLK_TCK = CLOCKS_PER_SEC = 18.2
 """What clock() counts in a second: the PC's timer ticks."""

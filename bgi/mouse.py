@@ -7,9 +7,9 @@ while drawing. Buttons are 0 left, 1 right, 2 middle; sets of buttons are sums o
 
 from collections.abc import Callable
 
-from bgi import current
-from bgi.arguments import Number, whole
-from bgi.monitor.mouse import LEFT, MIDDLE, RIGHT, Count, pressed, released
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, whole
+from bgi.monitor.pointer import LEFT, MIDDLE, RIGHT, Count, pressed, released
 
 __all__ = [
     "LEFT",

@@ -89,8 +89,8 @@ from demos.panel import (
 )
 from surfaces import MODES, PROJECTIONS, RAMPS, Mapping, Plot, compose, rotation, scaling, surface
 from surfaces.animation import PillowMissing, save_gif
-from surfaces.fields import FIELDS
 from surfaces.formula import FormulaError, formula
+from surfaces.shape.fields import FIELDS
 
 MODE = (IBM8514, IBM8514LO)
 EXAMPLES = (

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import bgi
-from bgi import current
+from bgi.graphics import current
 
 DOCS = Path(__file__).parent
 PICTURES = DOCS / "pictures"

@@ -12,17 +12,13 @@ After "A Very Simple Approach for 3-D to 2-D Mapping" by Dey, Abraham and Sanyal
     closegraph()
 """
 
-from surfaces.colours import RAMPS, Ramp
-from surfaces.functions import FIGURES, Figure
-from surfaces.grid import Grid, data, sample
-from surfaces.mapping import Axonometry, Mapping, Projection
 from surfaces.modes import MODES
-from surfaces.pen import Pen, System
 from surfaces.plot import Plot, parametric, surface
-from surfaces.projections import PROJECTIONS, orthographic
-from surfaces.svg import Svg
-from surfaces.text import Text
-from surfaces.transforms import (
+from surfaces.shape.functions import FIGURES, Figure
+from surfaces.shape.grid import Grid, data, sample
+from surfaces.space.mapping import Axonometry, Mapping, Projection
+from surfaces.space.projections import PROJECTIONS, orthographic
+from surfaces.space.transforms import (
     affine,
     apply,
     compose,
@@ -32,6 +28,10 @@ from surfaces.transforms import (
     scaling,
     translation,
 )
+from surfaces.systems.characters import Text
+from surfaces.systems.colors import RAMPS, Ramp
+from surfaces.systems.pen import Pen, System
+from surfaces.systems.svg import Svg
 
 __all__ = [
     "FIGURES",

@@ -32,15 +32,15 @@ from bgi import (
 )
 from bgi.monitor import display_exists
 from surfaces.animation import PillowMissing, progress, save_gif
-from surfaces.colours import RAMPS
-from surfaces.fields import FIELDS
 from surfaces.formula import FUNCTIONS, NAMES, OPERATORS, FormulaError, formula
 from surfaces.modes import MODES
 from surfaces.plot import surface
-from surfaces.projections import PROJECTIONS
-from surfaces.svg import Svg
-from surfaces.text import Text
-from surfaces.transforms import rotation
+from surfaces.shape.fields import FIELDS
+from surfaces.space.projections import PROJECTIONS
+from surfaces.space.transforms import rotation
+from surfaces.systems.characters import Text
+from surfaces.systems.colors import RAMPS
+from surfaces.systems.svg import Svg
 
 MODE = (IBM8514, IBM8514LO)
 LEFT, RIGHT = 75, 77

@@ -11,13 +11,13 @@ from itertools import product
 
 import numpy as np
 
-from surfaces.colours import Palette
-from surfaces.fitting import Room
-from surfaces.grid import Interval
-from surfaces.hidden import View
-from surfaces.pen import Pen
+from surfaces.shape.grid import Interval
+from surfaces.space.fitting import Room
+from surfaces.space.transforms import FloatArray, apply
+from surfaces.systems.colors import Palette
+from surfaces.systems.pen import Pen
 from surfaces.ticks import labels, ticks
-from surfaces.transforms import FloatArray, apply
+from surfaces.visible.order import View
 
 Box = tuple[FloatArray, FloatArray]
 """The upper left and the lower right corner of something on the screen."""

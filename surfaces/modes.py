@@ -17,17 +17,17 @@ from functools import cached_property
 
 import numpy as np
 
-from surfaces import horizon, painter, sight
-from surfaces.colours import Palette
-from surfaces.contours import contours
-from surfaces.fields import Field
-from surfaces.grid import Grid, Interval
-from surfaces.hidden import View, back_to_front
-from surfaces.horizon import Horizon, Segments
-from surfaces.pen import Pen
-from surfaces.picking import Triangles, pick
-from surfaces.sweep import Sweep
-from surfaces.transforms import FloatArray, apply
+from surfaces.shape.contours import contours
+from surfaces.shape.fields import Field
+from surfaces.shape.grid import Grid, Interval
+from surfaces.space.transforms import FloatArray, apply
+from surfaces.systems.colors import Palette
+from surfaces.systems.pen import Pen
+from surfaces.visible import horizon, painter, sight
+from surfaces.visible.horizon import Horizon, Segments
+from surfaces.visible.order import View, back_to_front
+from surfaces.visible.picking import Triangles, pick
+from surfaces.visible.sweep import Sweep
 
 
 @dataclass(frozen=True)

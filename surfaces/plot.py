@@ -14,19 +14,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from surfaces import frame
-from surfaces.colours import Ramp, palette
-from surfaces.fields import field
-from surfaces.fitting import Room, fit
 from surfaces.frame import Frame, Surround
-from surfaces.grid import Axis, Function, Grid, Interval, data, sample
-from surfaces.hidden import View
-from surfaces.mapping import Mapping, Projection
 from surfaces.modes import MODES, Picture, draw_contours, draw_floor
-from surfaces.pen import Pen, System
-from surfaces.projections import projection as named
-from surfaces.sheet import SHEET_MODES, SheetPicture, walk
+from surfaces.shape.fields import field
+from surfaces.shape.grid import Axis, Function, Grid, Interval, data, sample
+from surfaces.shape.sheet import SHEET_MODES, SheetPicture, walk
+from surfaces.space.fitting import Room, fit
+from surfaces.space.mapping import Mapping, Projection
+from surfaces.space.projections import projection as named
+from surfaces.space.transforms import FloatArray, Point, apply, compose
+from surfaces.systems.colors import Ramp, palette
+from surfaces.systems.pen import Pen, System
 from surfaces.ticks import ticks
-from surfaces.transforms import FloatArray, Point, apply, compose
+from surfaces.visible.order import View
 
 Levels = int | Sequence[float]
 MESH_LINES = 50
@@ -118,25 +118,25 @@ def surface(
     mode       "fill": coloured by height. "mesh": lines of the grid. "fill+mesh": both.
                "waterfall": only lines of constant x. "wire": all lines, even hidden ones, in the
                current line style. "facets": cells of one colour, in the current fill pattern
-    transform  a 4x4 matrix from ``surfaces.transforms``, applied before the mapping; with it, a
+    transform  a 4x4 matrix from `space.transforms`, applied before the mapping; with it, a
                fitted picture is smaller, so that it stays on the screen when turned
     mapping    where the points (x, y, z) go on the screen.  None: fit the picture to the screen,
                with the centre of the surface's box at (0, 0, 0) and x and y from -1 to 1, so that
                ``transform`` turns the surface about its centre and keeps its shape
     projection, theta, rho_z, zfrac   for the fitted picture: a name or view of
-               ``surfaces.projections``, else the paper's with its angle and compression (see
+               ``surfaces.space.projections``, else the paper's with its angle and compression (see
                Mapping); and the part of the screen's height that z takes, or None for one scale on
                all axes
     z          (low, high): cut heights off there, infinities too; poles become holes
     color      what the colours tell: "z", "slope", "light", an array like f, a function of x and y
-    ramp, under   the colours of the upper and the under side, names in ``surfaces.colours.RAMPS``
+    ramp, under   the colours of the upper and the under side, names in `systems.colors.RAMPS`
     dither     blend the bands of colour where a screen has only a few
     lines      the colour of lines, or two, for the upper and the under side.  None: the current
                colour; in filled modes black
     every      a mesh line for every so many lines of the grid.  None: about fifty in all
     contours, floor   contour lines on the surface, and below it: how many, or at which z
     box, axes, title, colorbar   what is drawn around it; axes=("time", "Hz", "dB") names them
-    on         the graphics system to draw on (see ``surfaces.pen``).  None: the BGI's screen
+    on         the graphics system to draw on (see `systems.pen`).  None: the BGI's screen
 
     Where f has no finite value there is a hole; it ends where f begins, also inside a cell (data
     have only whole cells).  In a mode of 256 colours palette entries 16 to 255 are loaded with the

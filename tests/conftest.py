@@ -13,7 +13,7 @@ import pytest
 import bgi
 from bgi.errors import result
 from bgi.graphics import Graphics
-from bgi.modes import find
+from bgi.kernel.modes import find
 
 
 @pytest.fixture(autouse=True)

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from bgi.imagefile import save_png
-from bgi.palette import SIXTEEN
-from bgi.sdl import pygame
+from bgi.memory.imagefile import save_png
+from bgi.memory.palette import SIXTEEN
+from bgi.memory.sdl import pygame
 
 FAILED = Path(__file__).parent / "failed"
 _COLORS = np.array(SIXTEEN * 16, dtype=np.uint8)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import bgi
-from bgi import current
+from bgi.graphics import current
 from demos import NAMES, load, menu, summary
 from demos.__main__ import main as command
 from demos.pages import KEYS as KEYS_SHOWN

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import bgi
-from bgi.sdl import pygame
+from bgi.memory.sdl import pygame
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"

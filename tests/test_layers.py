@@ -12,71 +12,75 @@ ROOT = Path(__file__).parent.parent
 LAYERS = [
     "bgi.constants",
     "bgi.errors",
-    "bgi.rgb",
-    "bgi.modes",
-    "bgi.palette",
+    "bgi.kernel.arguments",
+    "bgi.kernel.modes",
     "bgi.raster.lines",
     "bgi.raster.patterns",
-    "bgi.raster.curves",
+    "bgi.raster.ellipses",
     "bgi.raster.polygons",
     "bgi.raster.spans",
     "bgi.raster.floodfill",
-    "bgi.png",
-    "bgi.sdl",
-    "bgi.page",
-    "bgi.imagefile",
-    "bgi.images",
+    "bgi.memory.rgb",
+    "bgi.memory.palette",
+    "bgi.memory.sdl",
+    "bgi.memory.page",
+    "bgi.memory.imagefile",
+    "bgi.memory.image",
+    "bgi.memory.card",
+    "bgi.memory",
     "bgi.fonts.",
     "bgi.settings",
+    "bgi.kernel.state",
     "bgi.kernel",
-    "bgi.card",
-    "bgi.keyboard",
+    "bgi.monitor.keyboard",
     "bgi.monitor.protocol",
     "bgi.monitor.",
-    "bgi.arguments",
     "bgi.graphics.screen",
-    "bgi.graphics.lines",
-    "bgi.graphics.fills",
+    "bgi.graphics.drawing",
+    "bgi.graphics.filling",
     "bgi.graphics.curves",
     "bgi.graphics.text",
     "bgi.graphics.images",
     "bgi.graphics",
-    "bgi.current",
+    "bgi.graphics.current",
     "bgi.conio",
     "bgi.dos",
     "bgi.mouse",
     "bgi.api.",
     "bgi",
-    "surfaces.transforms",
-    "surfaces.functions",
+    "surfaces.space.transforms",
+    "surfaces.shape.functions",
     "surfaces.formula",
     "surfaces.ticks",
-    "surfaces.svg",
-    "surfaces.text",
+    "surfaces.systems.svg",
+    "surfaces.systems.characters",
     "surfaces.animation",
-    "surfaces.mapping",
-    "surfaces.projections",
-    "surfaces.hidden",
-    "surfaces.rim",
-    "surfaces.grid",
-    "surfaces.trace",
-    "surfaces.pen",
-    "surfaces.colours",
-    "surfaces.contours",
-    "surfaces.fields",
-    "surfaces.fitting",
-    "surfaces.sweep",
-    "surfaces.depth",
+    "surfaces.space.mapping",
+    "surfaces.space.projections",
+    "surfaces.space",
+    "surfaces.visible.order",
+    "surfaces.shape.rim",
+    "surfaces.shape.grid",
+    "surfaces.systems.trace",
+    "surfaces.systems.pen",
+    "surfaces.systems.colors",
+    "surfaces.systems",
+    "surfaces.shape.contours",
+    "surfaces.shape.fields",
+    "surfaces.space.fitting",
+    "surfaces.visible.sweep",
+    "surfaces.visible.depth",
     "surfaces.frame",
-    "surfaces.horizon",
-    "surfaces.picking",
-    "surfaces.sight",
-    "surfaces.painter",
+    "surfaces.visible.horizon",
+    "surfaces.visible.picking",
+    "surfaces.visible.sight",
+    "surfaces.visible.painter",
+    "surfaces.visible",
     "surfaces.modes",
-    "surfaces.sheet",
+    "surfaces.shape.sheet",
+    "surfaces.shape",
     "surfaces.plot",
     "surfaces",
-    "demos.",
 ]
 
 
@@ -129,19 +133,19 @@ def test_surfaces_meets_bgi_in_one_file():
         for name, path in MODULES
         if name.startswith("surfaces") and any(i.split(".")[0] == "bgi" for i in imports(path))
     ]
-    assert users == ["surfaces.__main__", "surfaces.pen"]
+    assert users == ["surfaces.__main__", "surfaces.systems.pen"]
 
 
 def test_raster_is_pure():
     for name, path in MODULES:
         if name.startswith("bgi.raster"):
-            assert not re.search(r"pygame|bgi\.(page|settings|graphics)", path.read_text()), name
+            assert not re.search(r"pygame|bgi\.(memory|settings|graphics)", path.read_text()), name
 
 
 def test_only_the_page_sets_pixels():
     """No other drawing module writes into pixel memory."""
     for name, path in MODULES:
-        if name.startswith("bgi.") and name != "bgi.page":
+        if name.startswith("bgi.") and name != "bgi.memory.page":
             text = path.read_text()
             assert not re.search(r"\.(flat|array)\[.*\] *[\^|&]?=[^=]", text), name
             assert "pygame.draw" not in text, name

@@ -10,8 +10,8 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi import current
-from bgi.arguments import Number, Numbers
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import linesettingstype
 
 

@@ -6,8 +6,8 @@ fills join without a seam. Fills ignore the write mode.
 
 from collections.abc import Sequence
 
-from bgi import current
-from bgi.arguments import Number, Numbers
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import fillsettingstype
 
 

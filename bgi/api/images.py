@@ -2,9 +2,9 @@
 
 import os
 
-from bgi import current
-from bgi.arguments import Number
-from bgi.images import Image
+from bgi.graphics import current
+from bgi.kernel.arguments import Number
+from bgi.memory.image import Image
 
 
 def imagesize(left: Number, top: Number, right: Number, bottom: Number) -> int:

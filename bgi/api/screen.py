@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from bgi import current
-from bgi.arguments import Number, Numbers
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import palettetype, viewporttype
 
 

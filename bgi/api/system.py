@@ -1,7 +1,5 @@
 """Drivers and modes: opening and closing graphics, and what went wrong."""
 
-from bgi import current
-from bgi.arguments import Number, whole
 from bgi.constants import (
     CURRENT_DRIVER,
     DETECT,
@@ -13,8 +11,10 @@ from bgi.constants import (
     grOk,
 )
 from bgi.errors import message, result
-from bgi.kernel import DRIVERS, FONTS, Detect
-from bgi.modes import DRIVER_NAMES
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, whole
+from bgi.kernel.modes import DRIVER_NAMES
+from bgi.kernel.state import DRIVERS, FONTS, Detect
 
 
 def detectgraph() -> tuple[int, int]:

@@ -5,8 +5,8 @@ is a picture like any other. A str is written in code page 437, "?" standing for
 bytes are written as they are.
 """
 
-from bgi import current
-from bgi.arguments import Number
+from bgi.graphics import current
+from bgi.kernel.arguments import Number
 from bgi.settings import textsettingstype
 
 

@@ -1,12 +1,13 @@
 """Windows of any size and colours of any mixture: the names that WinBGIm added to graphics.h."""
 
-from bgi import current, rgb
-from bgi.arguments import Number, whole
-from bgi.card import LARGEST
 from bgi.constants import ALL_WINDOWS, grOk
 from bgi.errors import result
-from bgi.modes import window
-from bgi.palette import SIXTEEN
+from bgi.graphics import current
+from bgi.kernel.arguments import Number, whole
+from bgi.kernel.modes import window
+from bgi.memory import rgb
+from bgi.memory.card import LARGEST
+from bgi.memory.palette import SIXTEEN
 
 
 def initwindow(

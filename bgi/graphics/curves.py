@@ -1,10 +1,11 @@
 """Circles, ellipses, arcs, pies."""
 
-from bgi.arguments import Number, Numbers, whole
 from bgi.constants import grError
 from bgi.errors import result
-from bgi.graphics.fills import Fills
-from bgi.raster import curves, lines, polygons
+from bgi.graphics.filling import Fills
+from bgi.kernel.arguments import Number, Numbers, whole
+from bgi.raster import ellipses as curves
+from bgi.raster import lines, polygons
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import arccoordstype
 

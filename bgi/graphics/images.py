@@ -5,12 +5,12 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from bgi.arguments import Number, whole
 from bgi.constants import COPY_PUT, NOT_PUT, grError
 from bgi.errors import result
 from bgi.graphics.screen import Screen
-from bgi.imagefile import load, nearest, png, save_png, tagged
-from bgi.images import LARGEST, Image, byte_size
+from bgi.kernel.arguments import Number, whole
+from bgi.memory.image import LARGEST, Image, byte_size
+from bgi.memory.imagefile import load, nearest, png, save_png, tagged
 
 Buffer = bytes | bytearray | memoryview
 

@@ -7,9 +7,6 @@ method here is one call of graphics.h; `bgi.api` says what each means.
 from collections.abc import Sequence
 from dataclasses import replace
 
-from bgi import rgb
-from bgi.arguments import Number, Numbers, broadcast, whole
-from bgi.card import Card
 from bgi.constants import (
     EMPTY_FILL,
     NORM_WIDTH,
@@ -20,12 +17,15 @@ from bgi.constants import (
     grError,
 )
 from bgi.errors import result
-from bgi.kernel import DRIVERS
-from bgi.modes import YASP, GraphicsMode
+from bgi.kernel.arguments import Number, Numbers, broadcast, whole
+from bgi.kernel.modes import YASP, GraphicsMode
+from bgi.kernel.state import DRIVERS
+from bgi.memory import rgb
+from bgi.memory.card import Card
+from bgi.memory.page import Page
+from bgi.memory.palette import Palette
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
-from bgi.page import Page
-from bgi.palette import Palette
 from bgi.raster.patterns import FILL_PATTERNS, LINE_PATTERNS, line_mask
 from bgi.settings import (
     Settings,

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from bgi.arguments import Number, whole
 from bgi.constants import (
     CENTER_TEXT,
     DEFAULT_FONT,
@@ -21,9 +20,10 @@ from bgi.fonts import bitmap, layout
 from bgi.fonts.chr import FontError, StrokedFont
 from bgi.fonts.codepage import encode
 from bgi.fonts.layout import Scale
-from bgi.graphics.lines import Lines
-from bgi.kernel import FONTS
-from bgi.page import FAR
+from bgi.graphics.drawing import Lines
+from bgi.kernel.arguments import Number, whole
+from bgi.kernel.state import FONTS
+from bgi.memory.page import FAR
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
 

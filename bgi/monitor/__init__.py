@@ -10,13 +10,13 @@ import sys
 from collections.abc import Callable
 from typing import Protocol
 
-from bgi.card import Card
 from bgi.errors import BGIError
-from bgi.keyboard import KeyQueue
+from bgi.memory.card import Card
 from bgi.monitor.headless import Headless
-from bgi.monitor.link import Window
-from bgi.monitor.mouse import Mouse
+from bgi.monitor.keyboard import KeyQueue
 from bgi.monitor.plan import Plan
+from bgi.monitor.pointer import Mouse
+from bgi.monitor.window import Window
 
 __all__ = ["Headless", "Monitor", "Window", "choose"]
 

@@ -1,6 +1,6 @@
 """Two small pictures, drawn with letters: the window's icon and the mouse driver's arrow."""
 
-from bgi.sdl import pygame
+from bgi.memory.sdl import pygame
 
 _INKS = {
     "#": (0, 0, 0),

@@ -9,11 +9,11 @@ import math
 import sys
 import time
 
-from bgi.card import Card
 from bgi.errors import BGIError, WindowClosed
-from bgi.keyboard import KeyQueue
-from bgi.monitor.mouse import Mouse
+from bgi.memory.card import Card
+from bgi.monitor.keyboard import KeyQueue
 from bgi.monitor.plan import Plan, or_say_why
+from bgi.monitor.pointer import Mouse
 from bgi.monitor.recorder import Recorder
 
 # Milliseconds that it takes ...

@@ -6,7 +6,7 @@ is; one that draws or computes between two questions is never held up.
 
 import time
 
-from bgi.card import Card
+from bgi.memory.card import Card
 
 REST_SECONDS = 0.010  # a key ends a rest at once
 PATIENCE = 1000  # questions in vain until a look at the card

@@ -3,10 +3,10 @@
 import time
 from collections.abc import Callable
 
-from bgi import keyboard
-from bgi.monitor import mouse
-from bgi.monitor.screen import Screen
-from bgi.sdl import pygame
+from bgi.memory.sdl import pygame
+from bgi.monitor import keyboard
+from bgi.monitor import pointer as mouse
+from bgi.monitor.display import Screen
 
 _BUTTONS = {1: mouse.LEFT, 2: mouse.MIDDLE, 3: mouse.RIGHT}  # by pygame's numbers
 _WHEEL = {4: -1, 5: 1}

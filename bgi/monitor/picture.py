@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from bgi.card import Frame
-from bgi.sdl import pygame
+from bgi.memory.card import Frame
+from bgi.memory.sdl import pygame
 
 INDICES = 16  # a pixel of four bytes that is smaller is an index into the palette
 

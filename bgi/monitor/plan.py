@@ -18,9 +18,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from bgi import imagefile
-from bgi.card import Card, Frame
-from bgi.keyboard import parse_script
+from bgi.memory import imagefile
+from bgi.memory.card import Card, Frame
+from bgi.monitor.keyboard import parse_script
 from bgi.monitor.picture import Colours, pixels
 
 

@@ -19,9 +19,9 @@ to the program            meaning
 ========================  ==============================================================
 ``ready``                 the window is open
 ``failed REASON``         there is no window
-``key A`` ``key 0 S``     a key was pressed: the bytes of `bgi.keyboard.encode`
-``shifts FLAGS``          the Shift keys and their like: `bgi.keyboard.shift_flags`
-``mouse EVENT X Y HELD``  an event of `bgi.monitor.mouse`, where, and the buttons held
+``key A`` ``key 0 S``     a key was pressed: the bytes of `bgi.monitor.keyboard.encode`
+``shifts FLAGS``          the Shift keys and their like: `bgi.monitor.keyboard.shift_flags`
+``mouse EVENT X Y HELD``  an event of `bgi.monitor.pointer`, where, and the buttons held
 ``wheel CLICKS``          its wheel was turned, down or (less than 0) up
 ``shown N PRESENTS``      picture N is on show; so many were presented since the start
 ``recording``             something is being recorded: writing it will take its time

@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from bgi.card import Frame
 from bgi.errors import BGIError
+from bgi.memory.card import Frame
 from bgi.monitor.picture import Colours, pixels, true_colours
 
 TICK = 0.01  # seconds: the GIF's unit of time

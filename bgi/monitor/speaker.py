@@ -8,7 +8,7 @@ samples when it needs them (`fill`), and the wave goes on where it was.
 import numpy as np
 import numpy.typing as npt
 
-from bgi.sdl import pygame, quietly
+from bgi.memory.sdl import pygame, quietly
 
 CLOCK = 1_193_180
 RATE = 44_100  # samples a second

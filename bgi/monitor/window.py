@@ -1,233 +1,254 @@
-"""The window's process, `python -m bgi.monitor.window HANDLE FOLDER`: the loop that it lives in.
+"""The program's side of the window: starts the child process and talks to it through two pipes.
 
-It looks at the card sixty times a second and presents the visible page when it differs from what
-is on show, so drawing costs the program nothing. It sends what the user does, and it goes when the
-program goes: at the end of its input, or when it finds itself adopted by another process.
+A thread listens to the child. When the window is lost it wakes whatever waits, and from then on
+every call raises.
 """
 
+import atexit
 import contextlib
+import math
 import os
-import queue
-import signal
+import subprocess
 import sys
 import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
 
-from bgi.card import Card
-from bgi.errors import BGIError
-from bgi.monitor.inputs import Inputs
+from bgi.errors import BGIError, WindowClosed, say_in_one_line
+from bgi.memory.card import Card
+from bgi.monitor.idling import REST_SECONDS, Idling
+from bgi.monitor.keyboard import PIECE_SECONDS, KeyQueue
+from bgi.monitor.plan import Plan
+from bgi.monitor.pointer import Mouse
 from bgi.monitor.protocol import encode, receive
-from bgi.monitor.recorder import Recorder
-from bgi.monitor.screen import Screen, free_name
-from bgi.monitor.speaker import Speaker
-from bgi.sdl import pygame
 
-RATE = 60  # pictures a second at most, unless BGI_RATE says otherwise
-IDLE_FRAME = 1 / 30  # between two looks at a card that does not change
-# pygame's own wait looks for events every millisecond, and that is work, too.
-NAP, IDLE_NAP = 0.004, 0.010
-IDLE_AFTER = 0.5  # seconds in which nothing has happened
-LATE = 0.002  # a wait may end late; so much is made good at the next picture
-LINGER = 60  # seconds at most for finishing a recording
-
-Inbox = queue.SimpleQueue[tuple[str, str]]
+START_SECONDS = 60  # the very first import of pygame on a slow disk takes long
+END_SECONDS = 1
+SAVE_SECONDS = 60  # the same, where a recording is still to be written
 
 
-class Child:
-    """The main loop: the user's doings to the program, pictures to the screen."""
+class Window:
+    """The monitor that is a window; it is open when the constructor returns.
 
-    def __init__(self, card: Card, folder: Path, inbox: Inbox, output: int) -> None:
+    `on_lost` is called once, from another thread, with the error that every call raises from then
+    on. Raises BGIError when the window cannot be opened.
+    """
+
+    def __init__(
+        self,
+        card: Card,
+        title: str = "pybgi",
+        on_lost: Callable[[BGIError], None] = lambda error: None,
+        plan: Plan | None = None,
+    ) -> None:
         self._card = card
-        self._folder = folder
-        self._inbox = inbox
-        self._output = output
-        self._screen = Screen(card, folder)
-        self._speaker = Speaker()
-        self._recorder: Recorder | None = None
-        self._parent = os.getppid()
-        self._frame = 1 / _rate()
-        self._asked = ""  # the number of the picture the program waits for
-        self._free = 0.0  # no present before this moment
-        self._lively = time.monotonic()  # when something has happened last
-        self._over = False
-        self._inputs = Inputs(
-            self._screen,
-            self._send,
-            {
-                (pygame.K_F11, 0): self._screen.toggle_full,
-                (pygame.K_RETURN, pygame.KMOD_ALT): self._screen.toggle_full,
-                (pygame.K_F12, 0): self._screen.save,
-                (pygame.K_F5, pygame.KMOD_CTRL): self._toggle_recording,
-            },
-        )
-        self._orders: dict[str, Callable[[str], None]] = {
-            "show": self._show,
-            "title": self._screen.set_title,
-            "sound": lambda hertz: self._speaker.sound(int(hertz)),
-            "pointer": self._inputs.use_pointer,
-            "move": lambda rest: self._inputs.move(*map(int, rest.split())),
-            "limits": lambda rest: self._inputs.limit(*map(int, rest.split())),
-            "record": self._record,
-            "notice": self._screen.notice,
-            "close": lambda rest: self._close(),
-            "end": lambda rest: self._end(),
-        }
-        self._events: dict[int, Callable[[], None]] = {
-            pygame.QUIT: self._close,
-            pygame.WINDOWSIZECHANGED: self._screen.resize,
-            pygame.WINDOWEXPOSED: self._screen.forget,
-        }
-
-    def run(self) -> None:
-        """Run until the user closes the window or the program is gone."""
-        while not self._over and os.getppid() == self._parent:
-            self._wait()
-            for event in pygame.event.get():
-                self._lively = time.monotonic()
-                if reaction := self._events.get(event.type):
-                    reaction()
-                self._inputs.handle(event)
-            self._inputs.flush()
-            self._present()
-            self._screen.end_notice()
-        self._stop_recording()
-
-    def _wait(self) -> None:
-        """Wait for an order, at most until it is time to look for events or at the card again."""
-        now = time.monotonic()
-        nap = IDLE_NAP if now - self._lively > IDLE_AFTER else NAP
-        seconds = min(self._free - now, nap) if self._asked else nap
-        with contextlib.suppress(queue.Empty):
-            order = self._inbox.get(timeout=max(seconds, 0))
-            while True:
-                word, rest = order
-                if obey := self._orders.get(word):
-                    obey(rest)
-                self._lively = now
-                order = self._inbox.get_nowait()
-
-    def _show(self, number: str) -> None:
-        self._asked = number
-
-    def _present(self) -> None:
-        start = time.monotonic()
-        if start < self._free:
-            return
-        changed = self._screen.update()
-        if changed and self._recorder is not None:
-            self._record_frame(self._recorder)
-        now = time.monotonic()
-        if changed or self._asked:
-            self._lively = now
-            # Where a present is slow, a program that only draws keeps half of the time to itself;
-            # one that waits for its picture gets it as soon as can be.
-            pause = max(self._frame, (now - start) * (1 if self._asked else 2))
-        else:
-            pause = IDLE_FRAME if now - self._lively > IDLE_AFTER else self._frame
-        self._free = max(self._free + pause, start + pause - LATE)
-        if self._asked:
-            self._send("shown", self._asked, self._screen.presents)
-            self._asked = ""
-
-    # Recording
-
-    def _toggle_recording(self) -> None:
-        if self._recorder is None:
-            self._record("")
-        else:
-            self._stop_recording()
-
-    def _record(self, file: str) -> None:
-        """Begin to record, into the next free file beside the program if it has no name."""
+        self._plan = plan or Plan()
+        self.presents = 0  # how many pictures the window has put on the screen
+        self._on_lost = on_lost
+        self._owner = os.getpid()
+        self._keys = KeyQueue()
+        self._keys.load(self._plan.keys)
+        self._idling = Idling(card)
+        self._mouse = Mouse(self._send)
+        self._news = threading.Condition()
+        self._error: BGIError | None = None
+        self._ready = False
+        self._asked = 0
+        self._answered = 0
+        self._end_seconds = END_SECONDS
+        self._process = _start(card)
+        assert self._process.stdin and self._process.stdout
+        self._input, self._output = self._process.stdin, self._process.stdout
+        self._listener = threading.Thread(target=self._listen, name="bgi window", daemon=True)
+        self._listener.start()
+        atexit.register(self.close)
         try:
-            self._recorder = Recorder(file or str(free_name(self._folder, "gif")))
-        except (BGIError, OSError) as error:
-            print(f"bgi: {error}", file=sys.stderr, flush=True)
-            self._screen.notice(str(error))
-            return
-        self._send("recording")
-        self._record_frame(self._recorder)
-        self._screen.notice("recording", float("inf"))
+            self.set_title(title)
+            if not self._wait(lambda: self._ready, time.monotonic() + START_SECONDS):
+                raise BGIError(f"the window did not open within {START_SECONDS} seconds")
+        except BaseException:
+            self.close()
+            raise
+        say_in_one_line()
+        self._follow_plan()
 
-    def _record_frame(self, recorder: Recorder) -> None:
-        frame = self._card.frame()
-        if frame is not None:
-            recorder.add(time.monotonic(), frame, self._card.palette.tobytes())
+    def _follow_plan(self) -> None:
+        """Record, and come to an end in time, as planned."""
+        if self._plan.record:
+            self._send("record", self._plan.record)
+        if self._plan.after < math.inf:
+            clock = threading.Timer(self._plan.after, self._time_is_up)
+            clock.daemon = True
+            clock.start()
 
-    def _stop_recording(self) -> None:
-        """Write the recording in a thread of its own: the window goes on meanwhile."""
-        recorder, self._recorder = self._recorder, None
-        if recorder is not None:
-            threading.Thread(target=self._save, args=[recorder, time.monotonic()]).start()
+    def _time_is_up(self) -> None:
+        with contextlib.suppress(ValueError):  # the program has just closed the card
+            self._plan.take_shot(self._card)
+        self._lose(WindowClosed(f"{self._plan.after:g} seconds are over, as planned"))
 
-    def _save(self, recorder: Recorder, now: float) -> None:
+    def show(self) -> None:
+        """Return when the visible page, as it is now, has been shown."""
+        self._check()
+        with self._news:  # sent before any later number: the child answers the last it has read
+            self._asked += 1
+            number = self._asked
+            self._send("show", number)
+        self._wait(lambda: self._answered >= number)
+
+    def key_waiting(self) -> bool:
+        """Whether `read_key` would return at once; rests a moment if nothing else is done."""
+        self._check()
+        if not self._keys.waiting() and self._idling.asked_in_vain():
+            self._keys.wait(REST_SECONDS)
+        return self._keys.waiting()
+
+    def read_key(self) -> int:
+        """Wait for a key and return its code; keys without a character are 0, then a scan code."""
+        self._check()
+        return self._keys.get()
+
+    def read_keystroke(self) -> bytes:
+        """Wait for a key and return all of it, one byte or two."""
+        self._check()
+        return self._keys.take()
+
+    @property
+    def keys(self) -> KeyQueue:
+        """The keys that wait."""
+        self._check()
+        return self._keys
+
+    @property
+    def mouse(self) -> Mouse:
+        """The mouse over the window."""
+        self._check()
+        return self._mouse
+
+    def sound(self, hertz: int) -> None:
+        """Play a pitch from now on; 0 is silence."""
+        self._check()
+        self._send("sound", hertz)
+
+    def time(self) -> float:
+        """The time, in seconds since 1970."""
+        self._check()
+        return time.time()
+
+    def sleep(self, milliseconds: float) -> None:
+        """Let so much time pass."""
+        self._check()
+        self._wait(lambda: False, time.monotonic() + milliseconds / 1000)
+
+    def set_title(self, title: str) -> None:
+        """Name the window."""
+        self._check()
+        self._send("title", title)
+
+    def close(self) -> None:
+        """Close the window; a second time does nothing. Never raises."""
+        if os.getpid() != self._owner:
+            return  # a forked copy of the program: the window is not its own
+        atexit.unregister(self.close)
+        if self._ready:
+            with contextlib.suppress(ValueError):  # the card has been closed already
+                self._plan.take_shot(self._card)
+        self._lose(BGIError("the window has been closed by the program"), tell=False)
+        self._input.close()
         try:
-            recorder.save(now)
-        except OSError as error:
-            self._inbox.put(("notice", f"not saved: {error.strerror}"))
-        else:
-            self._inbox.put(("notice", f"saved {Path(recorder.file).name}"))
+            self._process.wait(self._end_seconds)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        if threading.current_thread() is not self._listener:  # it is when on_lost closes
+            self._listener.join(END_SECONDS)
 
-    # The end
+    def _check(self) -> None:
+        if self._error is not None:
+            raise self._error.with_traceback(None)
+        if os.getpid() != self._owner:
+            raise BGIError("the window belongs to the process that opened it, this is a fork of it")
 
-    def _close(self) -> None:
-        self._send("closed")
-        self._over = True
-
-    def _end(self) -> None:
-        self._over = True
+    def _wait(self, done: Callable[[], bool], until: float = math.inf) -> bool:
+        """Wait for news until `done`; False if that takes too long. Raises once lost."""
+        with self._news:
+            while not done():
+                self._check()
+                seconds = until - time.monotonic()
+                if seconds <= 0:
+                    return False
+                self._news.wait(min(seconds, PIECE_SECONDS))
+        return True
 
     def _send(self, word: str, *arguments: object) -> None:
-        # A program that is stopped does not read; what it misses must not stop the window, too.
-        with contextlib.suppress(BlockingIOError):
-            os.write(self._output, encode(word, *arguments))
+        # A child that is gone cannot read; the listening thread finds out and says why.
+        with contextlib.suppress(OSError):
+            os.write(self._input.fileno(), encode(word, *arguments))
+
+    def _listen(self) -> None:
+        with self._output:
+            for word, rest in receive(self._output.fileno()):
+                self._hear(word, rest)
+        status = self._process.wait()
+        self._lose(BGIError(f"the window process ended unexpectedly (exit status {status})"))
+
+    def _hear(self, word: str, rest: str) -> None:
+        match word:
+            case "key":
+                self._keys.put(bytes(map(int, rest.split())))
+            case "shown":
+                with self._news:
+                    self._answered, self.presents = map(int, rest.split())
+                    self._news.notify_all()
+            case "mouse":
+                self._mouse.hear(*map(int, rest.split()))
+            case "wheel":
+                self._mouse.roll(int(rest))
+            case "shifts":
+                self._keys.shifts = int(rest)
+            case "recording":
+                self._end_seconds = SAVE_SECONDS
+            case "ready":
+                with self._news:
+                    self._ready = True
+                    self._news.notify_all()
+            case "failed":
+                self._lose(BGIError(f"no window: {rest}"))
+            case "closed":
+                self._lose(WindowClosed("the window was closed"))
+
+    def _lose(self, error: BGIError, tell: bool = True) -> None:
+        """From now on every call raises `error`; only the first loss counts."""
+        with self._news:
+            if self._error is not None:
+                return
+            self._error = error
+            self._news.notify_all()
+        self._keys.close(error)
+        if tell and self._ready:  # before that the constructor raises it
+            self._on_lost(error)
 
 
-def _rate() -> float:
+def _start(card: Card) -> subprocess.Popen[bytes]:
+    # The child must import this very package and no file of the user's that happens to be called
+    # random.py or numpy.py: it runs in the directory that holds the package, not in the user's.
+    home = str(Path(__file__).resolve().parents[2])
+    path = os.pathsep.join(filter(None, (home, os.environ.get("PYTHONPATH"))))
+    folder = os.path.abspath("")
     try:
-        return max(float(os.environ.get("BGI_RATE", RATE)), 1)
-    except ValueError:
-        return RATE
-
-
-def _listen(inbox: Inbox) -> None:
-    """Hand the program's messages on, and end with the program, come what may."""
-    for message in receive(0):
-        inbox.put(message)
-    inbox.put(("end", ""))
-    time.sleep(LINGER)
-    os._exit(0)
-
-
-def main() -> None:
-    """Open the window for the card named on the command line and run it."""
-    # The protocol gets a pipe of its own; whatever a library prints goes to the terminal.
-    output = os.dup(1)
-    os.dup2(2, 1)
-    if sys.platform != "win32":
-        os.set_blocking(output, False)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C belongs to the program
-    handle, folder = sys.argv[1:]
-    inbox: Inbox = queue.SimpleQueue()
-    try:
-        child = Child(Card.attach(handle), Path(folder), inbox, output)
-    except (pygame.error, ValueError) as error:
-        os.write(output, encode("failed", error))
-        return
-    pygame.key.set_repeat(500, 33)
-    signal.signal(signal.SIGTERM, lambda number, frame: inbox.put(("close", "")))
-    os.write(output, encode("ready"))
-    threading.Thread(target=_listen, args=[inbox], daemon=True).start()
-    with contextlib.suppress(BrokenPipeError):
-        child.run()
-    for thread in threading.enumerate():  # a recording that is being written
-        if not thread.daemon and thread is not threading.main_thread():
-            thread.join(LINGER)
-    # At once, without tidying up: SDL's threads may be anywhere.
-    os._exit(0)
-
-
-if __name__ == "__main__":
-    main()
+        return subprocess.Popen(
+            # No warnings: the program has shown them already.
+            [sys.executable, "-W", "ignore", "-m", "bgi.monitor.child", card.handle, folder],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            bufsize=0,
+            cwd=home,
+            env=os.environ | {"PYTHONPATH": path},
+            pass_fds=card.inherit,
+            # Apart from the program's terminal: Ctrl-C there is for the program alone, and on
+            # Windows no console opens.
+            process_group=None if sys.platform == "win32" else 0,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+    except OSError as error:
+        raise BGIError(f"no window: its process could not be started: {error}") from None

@@ -22,12 +22,12 @@ from surfaces import (
     scaling,
     surface,
 )
-from surfaces.colours import UNDER, UPPER
-from surfaces.contours import contours
-from surfaces.fields import field
 from surfaces.frame import Frame
-from surfaces.hidden import View
+from surfaces.shape.contours import contours
+from surfaces.shape.fields import field
+from surfaces.systems.colors import UNDER, UPPER
 from surfaces.ticks import labels, ticks
+from surfaces.visible.order import View
 from tests.surfaces.raycast import Canvas
 
 SQUARE: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}

@@ -5,7 +5,7 @@ import pytest
 
 import bgi
 from surfaces import RAMPS, Pen, Ramp
-from surfaces.colours import UNDER, UPPER, palette
+from surfaces.systems.colors import UNDER, UPPER, palette
 
 ALL = [2, 4, 16, 256]
 NOWHERE = np.zeros(1, dtype=np.int64)
@@ -82,7 +82,7 @@ def test_a_ramp_of_ones_own_is_loaded() -> None:
     bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
     mine = Ramp(((0, 0, 0), (252, 0, 84)), (0, 4))
     palette(256, mine, "grey", False).load(Pen())
-    assert bgi.current.screen.card.palette[UPPER[-1]].tolist() == [255, 0, 85]
+    assert bgi.graphics.current.screen.card.palette[UPPER[-1]].tolist() == [255, 0, 85]
 
 
 @pytest.mark.parametrize("what", ["ramp", "under"])

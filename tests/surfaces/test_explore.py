@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 import bgi
-from bgi import current
-from bgi.monitor.mouse import MOVED, pressed, released
+from bgi.graphics import current
+from bgi.monitor.pointer import MOVED, pressed, released
 from demos import explore
 from demos.explore import EXAMPLES, Explorer, View
 from demos.panel import DELETE, END, EXTENDED, HOME, LEFT, RIGHT, UP, Editor, read_key

@@ -5,7 +5,7 @@ import pytest
 
 import bgi
 from surfaces import surface
-from surfaces.grid import Grid
+from surfaces.shape.grid import Grid
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from surfaces import PROJECTIONS, Mapping, apply, orthographic, rotation
-from surfaces.fitting import fit
+from surfaces.space.fitting import fit
 
 
 def corners(box: Any) -> Any:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from surfaces import FIGURES
-from surfaces.grid import evaluate, sample
+from surfaces.shape.grid import evaluate, sample
 
 
 def test_nodes_and_values() -> None:

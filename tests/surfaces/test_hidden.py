@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from surfaces import Mapping, affine, apply, compose, rotation, scaling
-from surfaces.hidden import back_to_front, eye_from_surface, quads
+from surfaces.visible.order import back_to_front, eye_from_surface, quads
 
 FloatArray = NDArray[np.float64]
 CELLS = (5, 6)

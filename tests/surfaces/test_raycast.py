@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from surfaces import FIGURES, Figure, affine, compose, rotation, scaling, surface
-from surfaces.colours import UNDER, UPPER
+from surfaces.systems.colors import UNDER, UPPER
 from tests.surfaces.raycast import Canvas, Cast, cast, edges
 
 VIEWS: dict[str, NDArray[np.float64] | None] = {

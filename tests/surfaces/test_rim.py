@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from surfaces import data, orthographic, rotation, sample, surface
-from surfaces.rim import PIECES
-from surfaces.transforms import FloatArray
+from surfaces.shape.rim import PIECES
+from surfaces.space.transforms import FloatArray
 from tests.surfaces.raycast import Canvas
 
 FLAT: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 import bgi
 import surfaces
 from surfaces import FIGURES, Mapping, affine, compose, rotation, scaling, translation
-from surfaces.colours import palette
-from surfaces.grid import sample
+from surfaces.shape.grid import sample
+from surfaces.systems.colors import palette
 
 MODES = ["wire", "mesh", "fill", "fill+mesh", "waterfall", "facets"]
 SMALL: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}

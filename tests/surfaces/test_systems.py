@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 import bgi
 from surfaces import FIGURES, Pen, parametric, rotation, surface
-from surfaces.svg import Svg
-from surfaces.text import Text
+from surfaces.systems.characters import Text
+from surfaces.systems.svg import Svg
 
 TURNS = {"as it is": None, "tumbling": rotation((1, 2, 3), 1.1)}
 HOW: dict[str, dict[str, Any]] = {

@@ -1,0 +1,116 @@
+"""The screens that are open, and the one that the module-level functions draw on.
+
+`screen` is what a call reaches. While there is none to reach, before initgraph, in text mode, or
+after the window was closed, a stand-in sits there whose every use raises the right error; so the
+drawing functions need not look. Screens are numbered as they open, like WinBGIm's windows.
+"""
+
+from typing import NoReturn, cast
+
+from bgi.constants import ALL_WINDOWS, CURRENT_WINDOW, NO_CURRENT_WINDOW
+from bgi.errors import BGIError
+from bgi.graphics import Graphics
+from bgi.kernel.modes import GraphicsMode
+from bgi.memory.card import Card
+from bgi.monitor import choose
+
+
+class _Absent:
+    """Stands where a screen would."""
+
+    def __init__(self, kind: type[BGIError], text: str) -> None:
+        self._kind = kind
+        self._text = text
+
+    def __getattr__(self, name: str) -> NoReturn:
+        raise self._kind(self._text)
+
+
+def _absent(kind: type[BGIError], text: str) -> Graphics:
+    return cast(Graphics, _Absent(kind, text))
+
+
+_NOT_LOADED = _absent(BGIError, "BGI Error: Graphics not initialized (use 'initgraph')")
+_TEXT_MODE = _absent(BGIError, "BGI Error: Not in graphics mode")
+
+screen: Graphics = _NOT_LOADED
+number: int = NO_CURRENT_WINDOW
+"""Which screen is current."""
+_open: dict[int, Graphics] = {}
+_reached: dict[int, Graphics] = {}
+"""What a call to each open screen reaches: itself, or a stand-in."""
+
+
+def loaded() -> Graphics | None:
+    """The current screen, even while it is in text mode or its window gone."""
+    return _open.get(number)
+
+
+def reachable() -> Graphics:
+    """The current screen, in text mode too; raises as any call does if there is none."""
+    return _open[number] if screen is _TEXT_MODE else screen
+
+
+def open_screen(mode: GraphicsMode) -> None:
+    """Enter a mode: on the current screen, or on a new one if there is none or its window gone."""
+    here = loaded()
+    if here is None or screen not in (here, _TEXT_MODE):
+        close_screen(CURRENT_WINDOW)
+        open_window(mode)
+    else:
+        here.enter(mode)
+        _reach(number, here)
+
+
+def open_window(mode: GraphicsMode, title: str = "pybgi") -> int:
+    """Open another screen with a monitor of its own, and make it the current one."""
+    new = next(n for n in range(len(_open) + 1) if n not in _open)
+    needed = mode.width * mode.height * mode.pages * mode.pixel_bytes
+    card = Card(max(needed, 2 * 1024 * 768))
+    card.set_mode(mode.width, mode.height, mode.pages, mode.pixel_bytes, mode.square)
+    monitor = choose(card, title, on_lost=lambda error: _lost(new, error))
+    _open[new] = Graphics(mode, card, monitor)
+    _reach(new, _open[new])
+    select(new)
+    monitor.key_waiting()  # raises if the window was closed as soon as it opened
+    return new
+
+
+def select(which: int) -> None:
+    """Make an open screen the current one; an unknown number is ignored."""
+    global screen, number
+    if which in _open:
+        number, screen = which, _reached[which]
+
+
+def leave_graphics() -> None:
+    """Go to text mode: the screen stays loaded, and dark."""
+    screen.enter(screen.mode)
+    _reach(number, _TEXT_MODE)
+
+
+def close_screen(which: int = ALL_WINDOWS) -> None:
+    """Let go of a screen, of the current one, or of all: monitor, memory and all."""
+    global screen, number
+    which = number if which == CURRENT_WINDOW else which
+    for closing in list(_open) if which == ALL_WINDOWS else [which]:
+        gone = _open.pop(closing, None)
+        _reached.pop(closing, None)
+        if gone is not None:
+            gone.monitor.close()
+            gone.card.close()
+    if number not in _open:
+        number, screen = NO_CURRENT_WINDOW, _NOT_LOADED
+
+
+def _reach(which: int, target: Graphics) -> None:
+    global screen
+    _reached[which] = target
+    if which == number:
+        screen = target
+
+
+def _lost(which: int, error: BGIError) -> None:
+    """A window is gone (called by its monitor's thread): the next call says so."""
+    if which in _open:
+        _reach(which, _absent(type(error), str(error)))

@@ -1,0 +1,1 @@
+"""What every call rests on: its numbers, the table of modes, drivers, fonts and the result."""

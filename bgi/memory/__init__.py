@@ -1,0 +1,1 @@
+"""Video memory: what a pixel is, where it lies and how it looks."""

@@ -1,0 +1,194 @@
+"""From a palette index to the colour on the glass.
+
+A pixel holds an index. The palette gives each index a hardware value, and the adapter turns that
+value into red, green and blue:
+
+* EGA and VGA: a value of 0..63, on the VGA the number of one of its DAC registers, which
+  setrgbpalette() loads. At mode set the registers hold the EGA's 64 colours: bits `r g b R G B`
+  from bit 5 down, the large letters worth two thirds of full light, the small ones one third. The
+  200-line modes know 16 colours only: bit 4 is the intensity, bits 2..0 are R, G and B.
+* CGA: index 0 is any of 16 colours, the others are fixed by the mode. In its two-colour mode
+  setbkcolor() gives the *foreground* its colour, because that is what the hardware does.
+* 8514/A: 256 entries, each loaded straight with RGB.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.constants import VGA
+from bgi.kernel.modes import GraphicsMode
+from bgi.memory import rgb
+
+RGB = tuple[int, int, int]
+
+_EGA350 = [0, 1, 2, 3, 4, 5, 20, 7, 56, 57, 58, 59, 60, 61, 62, 63]
+_EGA200 = [0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23]
+
+
+def ega_rgb(value: int) -> RGB:
+    """The colour of an EGA value 0..63 (bits r g b R G B)."""
+    return (
+        0xAA * (value >> 2 & 1) + 0x55 * (value >> 5 & 1),
+        0xAA * (value >> 1 & 1) + 0x55 * (value >> 4 & 1),
+        0xAA * (value & 1) + 0x55 * (value >> 3 & 1),
+    )
+
+
+def six_bits(component: int) -> int:
+    """A DAC component 0..63 as eight bits: 0, 21, 42, 63 are 00, 55, AA, FF."""
+    component &= 63
+    return component << 2 | component >> 4
+
+
+SIXTEEN = [ega_rgb(value) for value in _EGA350]
+"""The sixteen colours of COLORS, as everybody knows them."""
+
+
+def _dac_200() -> list[RGB]:
+    return [SIXTEEN[value & 7 | value >> 1 & 8] for value in range(64)]
+
+
+def _vga_256() -> list[RGB]:
+    """The PC's default 256 colours (VGA mode 13h): 16 colours, 16 greys, 216 hues, 8 blacks.
+
+    The last black gives way to white: it is the colour that a screen begins to draw in.
+    """
+    greys = [0, 5, 8, 11, 14, 17, 20, 24, 28, 32, 36, 40, 45, 50, 56, 63]
+    wheel = [(i, 0, 4) for i in range(5)] + [(4, 0, i) for i in (3, 2, 1, 0)]
+    wheel += [(4, i, 0) for i in (1, 2, 3, 4)] + [(i, 4, 0) for i in (3, 2, 1, 0)]
+    wheel += [(0, 4, i) for i in (1, 2, 3, 4)] + [(0, i, 4) for i in (3, 2, 1)]
+    ramps = [
+        [0, 16, 31, 47, 63],
+        [31, 39, 47, 55, 63],
+        [45, 49, 54, 58, 63],
+        [0, 7, 14, 21, 28],
+        [14, 17, 21, 24, 28],
+        [20, 22, 24, 26, 28],
+        [0, 4, 8, 12, 16],
+        [8, 10, 12, 14, 16],
+        [11, 12, 13, 15, 16],
+    ]
+    six = [(g, g, g) for g in greys]
+    six += [(ramp[r], ramp[g], ramp[b]) for ramp in ramps for r, g, b in wheel]
+    six += [(0, 0, 0)] * 7 + [(63, 63, 63)]
+    return SIXTEEN + [(six_bits(r), six_bits(g), six_bits(b)) for r, g, b in six]
+
+
+_OWN = 255
+"""The register that holds an RGB background of a window."""
+
+_DAC_350 = [ega_rgb(value) for value in range(64)]
+_WHITE = SIXTEEN[15]
+
+# name -> (hardware value of each index, colour of each hardware value)
+DEFAULTS: dict[str, tuple[list[int], list[RGB]]] = {
+    "EGA350": (_EGA350, _DAC_350),
+    "EGA200": (_EGA200, _dac_200()),
+    "EGA64HI": ([0, 1, 4, 7], _DAC_350),
+    "CGAC0": ([0, 10, 12, 14], SIXTEEN),
+    "CGAC1": ([0, 11, 13, 15], SIXTEEN),
+    "CGAC2": ([0, 2, 4, 6], SIXTEEN),
+    "CGAC3": ([0, 3, 5, 7], SIXTEEN),
+    "CGAHI": ([0, 15], SIXTEEN),
+    "MONO": ([0, 1], [(0, 0, 0), _WHITE]),
+    "WINDOW": (_EGA350, _DAC_350),
+    "IBM8514": (list(range(256)), _vga_256()),
+}
+
+
+class Palette:
+    """The palette of one screen: index -> hardware value -> RGB, written through to the card."""
+
+    def __init__(self, mode: GraphicsMode, shown: NDArray[np.uint8]) -> None:
+        """Take the default palette of `mode`; `shown` is the card's (256, 3) table of colours."""
+        self.kind = mode.palette
+        self._has_dac = mode.driver == VGA or self.kind == "IBM8514"
+        self._shown = shown
+        self._shown[:] = 0
+        self._dac: list[RGB] = []
+        self.values: list[int] = []
+        self.background = 0
+        self._load_dac()
+        self.reset()
+
+    def _load_dac(self) -> None:
+        colors = DEFAULTS[self.kind][1]
+        self._dac = colors + [(0, 0, 0)] * (256 - len(colors))
+
+    def reset(self) -> None:
+        """Give every index its default value again (graphdefaults); DAC registers keep theirs."""
+        self.values = self.default
+        self.background = 0
+        if self.kind == "IBM8514":  # its palette *is* the DAC
+            self._load_dac()
+        self._show()
+
+    def _show(self) -> None:
+        self._shown[: len(self.values)] = [self._dac[value] for value in self.values]
+
+    @property
+    def is_ega(self) -> bool:
+        """Whether setpalette() takes the EGA's hardware values 0..63."""
+        return self.kind.startswith("EGA") or self.kind == "WINDOW"
+
+    @property
+    def size(self) -> int:
+        """What getpalettesize() says: only entries that can be changed count."""
+        return len(self.values) if self.is_ega or self.kind == "IBM8514" else 1
+
+    @property
+    def default(self) -> list[int]:
+        """The hardware values that the mode begins with."""
+        return list(DEFAULTS[self.kind][0])
+
+    def _may_set(self, index: int, value: int) -> bool:
+        if self.is_ega:
+            return 0 <= index < len(self.values) and 0 <= value <= 63
+        return self.kind.startswith("CGAC") and index == 0 and 0 <= value <= 15
+
+    def set(self, index: int, value: int) -> bool:
+        """Give `index` a hardware value; False, and nothing changes, where the adapter cannot."""
+        return self.set_all({index: value})
+
+    def set_all(self, values: dict[int, int]) -> bool:
+        """Give several indices their values; False, and nothing changes, if any is illegal."""
+        if not all(self._may_set(index, value) for index, value in values.items()):
+            return False
+        for index, value in values.items():
+            self.values[index] = value
+        self._show()
+        return True
+
+    def set_background(self, color: int) -> None:
+        """What setbkcolor() does: index 0 takes the colour of entry `color`; nothing is redrawn."""
+        self.background = color
+        if rgb.is_rgb(color):
+            self._dac[_OWN], self.values[0] = rgb.split(color), _OWN
+        elif self.is_ega:
+            self.values[0] = self.values[color % len(self.values)] if color else 0
+        elif self.kind == "IBM8514":
+            self._dac[0] = self._dac[color] if color else (0, 0, 0)
+        elif self.kind == "CGAHI":  # the hardware colours the foreground; 0 leaves it
+            self.values[1] = color or self.values[1]
+        elif self.kind.startswith("CGAC"):
+            self.values[0] = color
+        self._show()
+
+    def set_rgb(self, registers: Sequence[int], colors: Sequence[RGB]) -> bool:
+        """Load DAC registers; False where the adapter has none of that number, which is left out.
+
+        VGA components are 0..63; the 8514's are 0..255, of which the upper six bits count.
+        """
+        shift = 2 if self.kind == "IBM8514" else 0
+        known = 256 if self._has_dac else 0
+        for register, (red, green, blue) in zip(registers, colors, strict=True):
+            if 0 <= register < known:
+                self._dac[register] = (
+                    six_bits(red >> shift),
+                    six_bits(green >> shift),
+                    six_bits(blue >> shift),
+                )
+        self._show()
+        return all(0 <= register < known for register in registers)

@@ -1,0 +1,233 @@
+"""The window's process, `python -m bgi.monitor.child HANDLE FOLDER`: the loop that it lives in.
+
+It looks at the card sixty times a second and presents the visible page when it differs from what
+is on show, so drawing costs the program nothing. It sends what the user does, and it goes when the
+program goes: at the end of its input, or when it finds itself adopted by another process.
+"""
+
+import contextlib
+import os
+import queue
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from bgi.errors import BGIError
+from bgi.memory.card import Card
+from bgi.memory.sdl import pygame
+from bgi.monitor.display import Screen, free_name
+from bgi.monitor.inputs import Inputs
+from bgi.monitor.protocol import encode, receive
+from bgi.monitor.recorder import Recorder
+from bgi.monitor.speaker import Speaker
+
+RATE = 60  # pictures a second at most, unless BGI_RATE says otherwise
+IDLE_FRAME = 1 / 30  # between two looks at a card that does not change
+# pygame's own wait looks for events every millisecond, and that is work, too.
+NAP, IDLE_NAP = 0.004, 0.010
+IDLE_AFTER = 0.5  # seconds in which nothing has happened
+LATE = 0.002  # a wait may end late; so much is made good at the next picture
+LINGER = 60  # seconds at most for finishing a recording
+
+Inbox = queue.SimpleQueue[tuple[str, str]]
+
+
+class Child:
+    """The main loop: the user's doings to the program, pictures to the screen."""
+
+    def __init__(self, card: Card, folder: Path, inbox: Inbox, output: int) -> None:
+        self._card = card
+        self._folder = folder
+        self._inbox = inbox
+        self._output = output
+        self._screen = Screen(card, folder)
+        self._speaker = Speaker()
+        self._recorder: Recorder | None = None
+        self._parent = os.getppid()
+        self._frame = 1 / _rate()
+        self._asked = ""  # the number of the picture the program waits for
+        self._free = 0.0  # no present before this moment
+        self._lively = time.monotonic()  # when something has happened last
+        self._over = False
+        self._inputs = Inputs(
+            self._screen,
+            self._send,
+            {
+                (pygame.K_F11, 0): self._screen.toggle_full,
+                (pygame.K_RETURN, pygame.KMOD_ALT): self._screen.toggle_full,
+                (pygame.K_F12, 0): self._screen.save,
+                (pygame.K_F5, pygame.KMOD_CTRL): self._toggle_recording,
+            },
+        )
+        self._orders: dict[str, Callable[[str], None]] = {
+            "show": self._show,
+            "title": self._screen.set_title,
+            "sound": lambda hertz: self._speaker.sound(int(hertz)),
+            "pointer": self._inputs.use_pointer,
+            "move": lambda rest: self._inputs.move(*map(int, rest.split())),
+            "limits": lambda rest: self._inputs.limit(*map(int, rest.split())),
+            "record": self._record,
+            "notice": self._screen.notice,
+            "close": lambda rest: self._close(),
+            "end": lambda rest: self._end(),
+        }
+        self._events: dict[int, Callable[[], None]] = {
+            pygame.QUIT: self._close,
+            pygame.WINDOWSIZECHANGED: self._screen.resize,
+            pygame.WINDOWEXPOSED: self._screen.forget,
+        }
+
+    def run(self) -> None:
+        """Run until the user closes the window or the program is gone."""
+        while not self._over and os.getppid() == self._parent:
+            self._wait()
+            for event in pygame.event.get():
+                self._lively = time.monotonic()
+                if reaction := self._events.get(event.type):
+                    reaction()
+                self._inputs.handle(event)
+            self._inputs.flush()
+            self._present()
+            self._screen.end_notice()
+        self._stop_recording()
+
+    def _wait(self) -> None:
+        """Wait for an order, at most until it is time to look for events or at the card again."""
+        now = time.monotonic()
+        nap = IDLE_NAP if now - self._lively > IDLE_AFTER else NAP
+        seconds = min(self._free - now, nap) if self._asked else nap
+        with contextlib.suppress(queue.Empty):
+            order = self._inbox.get(timeout=max(seconds, 0))
+            while True:
+                word, rest = order
+                if obey := self._orders.get(word):
+                    obey(rest)
+                self._lively = now
+                order = self._inbox.get_nowait()
+
+    def _show(self, number: str) -> None:
+        self._asked = number
+
+    def _present(self) -> None:
+        start = time.monotonic()
+        if start < self._free:
+            return
+        changed = self._screen.update()
+        if changed and self._recorder is not None:
+            self._record_frame(self._recorder)
+        now = time.monotonic()
+        if changed or self._asked:
+            self._lively = now
+            # Where a present is slow, a program that only draws keeps half of the time to itself;
+            # one that waits for its picture gets it as soon as can be.
+            pause = max(self._frame, (now - start) * (1 if self._asked else 2))
+        else:
+            pause = IDLE_FRAME if now - self._lively > IDLE_AFTER else self._frame
+        self._free = max(self._free + pause, start + pause - LATE)
+        if self._asked:
+            self._send("shown", self._asked, self._screen.presents)
+            self._asked = ""
+
+    # Recording
+
+    def _toggle_recording(self) -> None:
+        if self._recorder is None:
+            self._record("")
+        else:
+            self._stop_recording()
+
+    def _record(self, file: str) -> None:
+        """Begin to record, into the next free file beside the program if it has no name."""
+        try:
+            self._recorder = Recorder(file or str(free_name(self._folder, "gif")))
+        except (BGIError, OSError) as error:
+            print(f"bgi: {error}", file=sys.stderr, flush=True)
+            self._screen.notice(str(error))
+            return
+        self._send("recording")
+        self._record_frame(self._recorder)
+        self._screen.notice("recording", float("inf"))
+
+    def _record_frame(self, recorder: Recorder) -> None:
+        frame = self._card.frame()
+        if frame is not None:
+            recorder.add(time.monotonic(), frame, self._card.palette.tobytes())
+
+    def _stop_recording(self) -> None:
+        """Write the recording in a thread of its own: the window goes on meanwhile."""
+        recorder, self._recorder = self._recorder, None
+        if recorder is not None:
+            threading.Thread(target=self._save, args=[recorder, time.monotonic()]).start()
+
+    def _save(self, recorder: Recorder, now: float) -> None:
+        try:
+            recorder.save(now)
+        except OSError as error:
+            self._inbox.put(("notice", f"not saved: {error.strerror}"))
+        else:
+            self._inbox.put(("notice", f"saved {Path(recorder.file).name}"))
+
+    # The end
+
+    def _close(self) -> None:
+        self._send("closed")
+        self._over = True
+
+    def _end(self) -> None:
+        self._over = True
+
+    def _send(self, word: str, *arguments: object) -> None:
+        # A program that is stopped does not read; what it misses must not stop the window, too.
+        with contextlib.suppress(BlockingIOError):
+            os.write(self._output, encode(word, *arguments))
+
+
+def _rate() -> float:
+    try:
+        return max(float(os.environ.get("BGI_RATE", RATE)), 1)
+    except ValueError:
+        return RATE
+
+
+def _listen(inbox: Inbox) -> None:
+    """Hand the program's messages on, and end with the program, come what may."""
+    for message in receive(0):
+        inbox.put(message)
+    inbox.put(("end", ""))
+    time.sleep(LINGER)
+    os._exit(0)
+
+
+def main() -> None:
+    """Open the window for the card named on the command line and run it."""
+    # The protocol gets a pipe of its own; whatever a library prints goes to the terminal.
+    output = os.dup(1)
+    os.dup2(2, 1)
+    if sys.platform != "win32":
+        os.set_blocking(output, False)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C belongs to the program
+    handle, folder = sys.argv[1:]
+    inbox: Inbox = queue.SimpleQueue()
+    try:
+        child = Child(Card.attach(handle), Path(folder), inbox, output)
+    except (pygame.error, ValueError) as error:
+        os.write(output, encode("failed", error))
+        return
+    pygame.key.set_repeat(500, 33)
+    signal.signal(signal.SIGTERM, lambda number, frame: inbox.put(("close", "")))
+    os.write(output, encode("ready"))
+    threading.Thread(target=_listen, args=[inbox], daemon=True).start()
+    with contextlib.suppress(BrokenPipeError):
+        child.run()
+    for thread in threading.enumerate():  # a recording that is being written
+        if not thread.daemon and thread is not threading.main_thread():
+            thread.join(LINGER)
+    # At once, without tidying up: SDL's threads may be anywhere.
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    main()

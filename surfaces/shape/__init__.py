@@ -1,0 +1,1 @@
+"""Shapes as arrays: grids, sheets, holes, contours, values for colours."""

@@ -1,0 +1,83 @@
+"""Contour lines by marching squares, all cells at once.
+
+In a cell, the surface is either above or below the level at each corner. Where two neighbouring
+corners differ, the contour crosses the side between them, at the place that interpolates linearly;
+the crossings of a cell are joined in pairs. A saddle has four: the mean of its corners says which
+go together.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfaces.shape.grid import Grid
+from surfaces.space.transforms import FloatArray
+
+Ints = NDArray[np.int64]
+
+
+class Contours(NamedTuple):
+    """Straight pieces of contour lines, one in a cell, two in a saddle."""
+
+    starts: FloatArray
+    """(m, 3): points of the surface."""
+    ends: FloatArray
+    cell: Ints
+    """(m, 2): the cell i, j that each lies in."""
+
+
+# The corners 0..3 of a cell go round; side k leads from corner k to the next.
+CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
+# Corners above the level, as bits -> pairs of sides to join; saddles (5, 10) with a low middle.
+JOINS: dict[int, tuple[tuple[int, int], ...]] = {
+    1: ((3, 0),),
+    2: ((0, 1),),
+    3: ((3, 1),),
+    4: ((1, 2),),
+    5: ((3, 0), (1, 2)),
+    6: ((0, 2),),
+    7: ((3, 2),),
+    8: ((2, 3),),
+    9: ((2, 0),),
+    10: ((0, 1), (2, 3)),
+    11: ((2, 1),),
+    12: ((1, 3),),
+    13: ((1, 0),),
+    14: ((0, 3),),
+}
+OTHER_SADDLE = {5: 10, 10: 5}
+
+
+def contours(grid: Grid, level: float) -> Contours:
+    """The lines on the surface where z = level; holes have none."""
+    x, y, z = grid.x, grid.y, grid.z
+    above = z >= level
+    kind = above[:-1, :-1] + 2 * above[1:, :-1] + 4 * above[1:, 1:] + 8 * above[:-1, 1:]
+    i, j = np.nonzero((kind > 0) & (kind < 15) & grid.whole)
+    kind = kind[i, j].astype(np.int64)
+    corner_z = np.stack([z[i + a, j + b] for a, b in CORNERS], axis=1)
+    corners = np.stack(
+        [np.stack((x[i + a], y[j + b]), axis=1) for a, b in CORNERS], axis=1
+    )  # (cells, 4, 2)
+    after = np.roll(corner_z, -1, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        part = (level - corner_z) / (after - corner_z)
+        crossing = corners + part[..., None] * (np.roll(corners, -1, axis=1) - corners)
+    high_middle = corner_z.mean(axis=1) >= level
+    for saddle, other in OTHER_SADDLE.items():
+        kind = np.where((kind == saddle) & high_middle, -other, kind)
+    starts, ends, cells = [], [], []
+    for number, pairs in JOINS.items():
+        chosen = np.flatnonzero(np.abs(kind) == number)
+        for a, b in pairs:
+            starts.append(crossing[chosen, a])
+            ends.append(crossing[chosen, b])
+            cells.append(np.stack((i[chosen], j[chosen]), axis=1))
+    return Contours(
+        _at(np.concatenate(starts), level), _at(np.concatenate(ends), level), np.concatenate(cells)
+    )
+
+
+def _at(points: FloatArray, level: float) -> FloatArray:
+    return np.column_stack((points, np.full(len(points), level)))

@@ -1,0 +1,106 @@
+"""What a surface's colours tell: its height, its slope, the light on it, or any other quantity.
+
+A field is one number for every node of the grid, brought to the range from 0 to 1 that ramps take.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from surfaces.shape.grid import Grid, Interval, evaluate
+from surfaces.space.transforms import FloatArray
+
+# Where the light comes from, in the viewed space: over the viewer's left shoulder.
+LIGHT = np.array((0.55, -0.35, 0.76))
+
+
+@dataclass(frozen=True)
+class Field:
+    """Values over the grid, from 0 to 1, and what 0 and 1 stand for."""
+
+    value: FloatArray
+    limits: Interval
+    quantity: Callable[[FloatArray], FloatArray] | None = None
+    """The number itself at any points (m, 3) of the surface, if they are all it depends on."""
+
+    def scaled(self, limits: Interval) -> "Field":
+        """The same as part of wider limits; what has no value counts as the lowest."""
+        (low, high), (lowest, highest) = self.limits, limits
+        value = self.value
+        if self.limits != limits:
+            value = (value * (high - low) + (low - lowest)) / ((highest - lowest) or 1.0)
+        return Field(np.nan_to_num(value), limits, self.quantity)
+
+    def at(self, points: FloatArray, beside: FloatArray) -> FloatArray:
+        """The values at points (m, 3), or where only the grid knows them, the nodes' beside."""
+        if self.quantity is None:
+            return beside
+        low, high = self.limits
+        value = (self.quantity(points) - low) / ((high - low) or 1.0)
+        return np.where(np.isfinite(value), np.clip(value, 0, 1), beside)
+
+
+def field(color: Any, grid: Grid, T: FloatArray) -> Field:
+    """The field that ``color`` asks for.
+
+    "z", "slope" (how much z changes per unit, steepest way), "light" (half of it is shade), an
+    array like grid.z, or a function of x and y. T, 4x4, takes the surface to where the light is.
+    ValueError for another name or an array of another shape.
+    """
+    if isinstance(color, str):
+        if color not in FIELDS:
+            names = ", ".join(map(repr, FIELDS))
+            raise ValueError(f"color must be {names}, an array or a function, not {color!r}")
+        return FIELDS[color](grid, T)
+    if callable(color):
+        nodes = evaluate(color, *np.meshgrid(grid.x, grid.y, indexing="ij"))
+        return replace(spread(nodes), quantity=lambda points: evaluate(color, *points.T[:2]))
+    values = np.asarray(color, dtype=np.float64)
+    if values.shape != grid.z.shape:
+        raise ValueError(f"color must have the shape {grid.z.shape}, not {values.shape}")
+    return spread(values)
+
+
+def spread(values: FloatArray) -> Field:
+    """Values of any range as a field; what is not finite is missing."""
+    values = np.where(np.isfinite(values), values, np.nan)
+    if np.isnan(values).all():
+        raise ValueError("color has no finite value")
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    return Field((values - low) / ((high - low) or 1.0), (low, high))
+
+
+def _gradient(grid: Grid) -> tuple[FloatArray, FloatArray]:
+    along_x, along_y = np.gradient(grid.z, grid.x, grid.y)
+    return np.asarray(along_x), np.asarray(along_y)
+
+
+def _height(grid: Grid, T: FloatArray) -> Field:
+    low, high = (float(corner[2]) for corner in grid.box)
+    value = (grid.z - low) / ((high - low) or 1.0)
+    return Field(value, (low, high), lambda points: points[:, 2])
+
+
+def _slope(grid: Grid, T: FloatArray) -> Field:
+    return spread(np.hypot(*_gradient(grid)))
+
+
+def _light(grid: Grid, T: FloatArray) -> Field:
+    """1 where the light falls straight on the upper side, 0 where it does so on the other."""
+    along_x, along_y = _gradient(grid)
+    normal = np.stack((-along_x, -along_y, np.ones_like(along_x)), axis=-1)
+    # Normals go with the inverse transpose; a reflection turns no side over.
+    turned = normal @ np.linalg.inv(T[:3, :3]).T
+    turned /= np.linalg.norm(turned, axis=-1, keepdims=True)
+    # Squared, for light is softer than its cosine where it comes in low.
+    lit = (1 + turned @ (LIGHT / np.linalg.norm(LIGHT))) / 2
+    return Field(lit**2, (0.0, 1.0))
+
+
+FIELDS: dict[str, Callable[[Grid, FloatArray], Field]] = {
+    "z": _height,
+    "slope": _slope,
+    "light": _light,
+}

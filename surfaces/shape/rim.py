@@ -1,0 +1,129 @@
+"""Where a surface ends inside a cell: the rim of a hole.
+
+sqrt(1 - x*x - y*y) has values inside a circle, and no grid has that circle among its lines. Between
+a node with a value and a neighbour without, halving finds where the values end; a cell that has
+both kinds is part of the surface as far as the line between two such ends. Where a function has
+values right up to the neighbour and again behind it, as 1/x about 0, or grows without end, as
+log(r) there, there is no rim: the hole is a missing point, or a pole.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfaces.space.transforms import FloatArray
+from surfaces.visible.order import quads
+
+Ints = NDArray[np.int64]
+Value = Callable[[FloatArray, FloatArray], FloatArray]
+"""Heights at points; NaN where there is none."""
+
+HALVINGS = 12
+"""They tell the rim to a four-thousandth of a cell."""
+SETTLING, SMALL = 0.8, 1e-3
+"""Heights settle if the last 64th of the way changes them by less than so much of what the last
+eighth but for that does, or by so little of the surface's height."""
+
+
+@dataclass(frozen=True)
+class Rim:
+    """Parts of cells at the rims of holes."""
+
+    points: FloatArray
+    """(r, 3): where lines of the grid end."""
+    beside: Ints
+    """(r,): the node at which each such line comes from the surface, in the flattened grid."""
+    corners: Ints
+    """(m, 4): quadrangles, or triangles with one corner twice; counted from 0 the nodes of the
+    flattened grid, then the points."""
+    cell: Ints
+    """(m,): which cell each is part of, in the flattened grid of cells."""
+
+    def triangles(self, nodes: FloatArray) -> FloatArray:
+        """The parts as triangles in space, (2 m, 3, 3); `nodes` are the grid's, (n, 3)."""
+        a, b, c, d = np.concatenate((nodes, self.points))[self.corners].swapaxes(0, 1)
+        return np.concatenate((np.stack((a, b, c), axis=1), np.stack((a, c, d), axis=1)))
+
+
+def _pieces(case: int) -> list[tuple[int, int, int, int]]:
+    """What is there of a cell if those corners are whose bits are set.
+
+    Places 0 to 3 are the corners in their order, 4 to 7 the ends on the sides that follow them.
+    """
+    there = [bool(case >> corner & 1) for corner in range(4)]
+    if case in (0b0101, 0b1010):  # two corners opposite each other, each on its own
+        return [(4 + (k + 3) % 4, k, 4 + k, 4 + k) for k in range(4) if there[k]]
+    ring: list[int] = []
+    for k in range(4):
+        ring += [k] * there[k] + [4 + k] * (there[k] != there[(k + 1) % 4])
+    a, b, c, *more = ring
+    if len(more) == 2:
+        return [(a, b, c, more[0]), (a, more[0], more[1], more[1])]
+    return [(a, b, c, more[0] if more else c)]
+
+
+PIECES = [_pieces(case) if 0 < case < 15 else [] for case in range(16)]
+
+
+def find(value: Value, x: FloatArray, y: FloatArray, z: FloatArray) -> Rim:
+    """The rims of holes, NaN, in a function's heights z[i, j] at x[i], y[j]."""
+    there = np.isfinite(z)
+    index = np.arange(z.size).reshape(z.shape)
+    # Neighbours of which one is there, along x and along y.
+    pairs = [
+        np.stack((here[ends], behind[ends]), axis=-1)
+        for here, behind, ends in (
+            (index[:-1], index[1:], there[:-1] != there[1:]),
+            (index[:, :-1], index[:, 1:], there[:, :-1] != there[:, 1:]),
+        )
+    ]
+    node, hole = np.concatenate(pairs).T
+    node, hole = np.where(there.ravel()[node], (node, hole), (hole, node))
+    points, known = _ends(value, x, y, z, node, hole)
+
+    # For every neighbour along x and along y the number of the end between them, or -1.
+    number = np.where(known, z.size + np.cumsum(known) - 1, -1)
+    along_x, along_y = np.full(index[:-1].shape, -1), np.full(index[:, :-1].shape, -1)
+    along_x[there[:-1] != there[1:]] = number[: len(pairs[0])]
+    along_y[there[:, :-1] != there[:, 1:]] = number[len(pairs[0]) :]
+
+    sides = (along_x[:, :-1], along_y[1:], along_x[:, 1:], along_y[:-1])
+    places = np.concatenate((quads(index[..., None])[..., 0], np.stack(sides, axis=-1)), axis=-1)
+    places = places.reshape(-1, 8)
+    case = quads(there[..., None].astype(np.int64))[..., 0].reshape(-1, 4) @ (1, 2, 4, 8)
+    cells, corners = [np.zeros(0, np.int64)], [np.zeros((0, 4), np.int64)]
+    for pieces, which in zip(PIECES, (np.flatnonzero(case == n) for n in range(16)), strict=True):
+        known_ends = (places[which][:, sorted({*sum(pieces, ())})] >= 0).all(axis=1)
+        for piece in pieces:
+            cells.append(which[known_ends])
+            corners.append(places[which[known_ends]][:, piece])
+    return Rim(points[known], node[known], np.concatenate(corners), np.concatenate(cells))
+
+
+def _ends(
+    value: Value, x: FloatArray, y: FloatArray, z: FloatArray, node: Ints, hole: Ints
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Where the surface ends between nodes and holes, (n, 3), and whether it does so there."""
+    start, stop = (np.stack((x[i // len(y)], y[i % len(y)]), axis=-1) for i in (node, hole))
+    way = stop - start
+    good, bad = np.zeros(len(node)), np.ones(len(node))
+    height = z.ravel()[node]
+    for _ in range(HALVINGS):
+        middle = (good + bad) / 2
+        found = value(*(start + middle[:, None] * way).T)
+        finite = np.isfinite(found)
+        good, bad = np.where(finite, middle, good), np.where(finite, bad, middle)
+        height = np.where(finite, found, height)
+    # Toward a rim heights settle, toward a pole they grow.
+    before, late = (value(*(start + (part * good)[:, None] * way).T) for part in (7 / 8, 63 / 64))
+    slack = SMALL * (np.nanmax(z) - np.nanmin(z))
+    settled = np.abs(height - late) <= SETTLING * np.abs(late - before) + slack
+    # Behind a missing point, or a line of them, there is more of the surface.
+    behind = np.column_stack(np.divmod(hole, len(y))) * 2 - np.column_stack(np.divmod(node, len(y)))
+    inside = ((behind >= 0) & (behind < z.shape)).all(axis=1)
+    goes_on = np.zeros(len(node), dtype=bool)
+    goes_on[inside] = np.isfinite(z[tuple(behind[inside].T)])
+    known = ((bad < 1) | ~goes_on) & settled
+    return np.column_stack((start + good[:, None] * way, height)), known

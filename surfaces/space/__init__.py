@@ -1,0 +1,1 @@
+"""Space and the way to the screen: transformations, the mapping, projections, fitting."""

@@ -1,0 +1,79 @@
+"""The "proper scaling" of the paper's figures: how a surface fills the screen.
+
+x may run over 20 units and z over one.  So the surface is first put into a box of pleasing shape,
+-1 to 1 along x and y, around (0, 0, 0); turned there, it keeps its shape.  Then `fit` chooses how
+many pixels a unit of that box gets.
+"""
+
+import numpy as np
+
+from surfaces.space.mapping import Mapping, Projection
+from surfaces.space.transforms import FloatArray, compose, scaling, translation
+
+Room = tuple[float, float, float, float]
+"""Pixels at the left, the top, the right and the bottom."""
+
+# What stays free around the picture, as a part of the shorter side: 24 pixels of 480.
+MARGIN = 0.05
+
+
+def fit(
+    box: tuple[FloatArray, FloatArray],
+    width: int,
+    height: int,
+    projection: Projection | None = None,
+    *,
+    zfrac: float | None = 0.3,
+    aspect: float = 1.0,
+    turning: bool = False,
+    labels: Room = (0, 0, 0, 0),
+) -> tuple[FloatArray, Projection]:
+    """Scale a box to fill a screen of width x height pixels, its centre in the middle.
+
+    Returns a transform and a mapping.  The transform puts the box around (0, 0, 0), with x and y
+    from -1 to 1 and z so high that it takes the part ``zfrac`` of the height; turn the surface
+    there, and its shape is kept.  With zfrac None, one scale serves x, y and z.  The mapping, by
+    default the paper's, brings that to the screen.  ``aspect`` is the width of a pixel divided by
+    its height.  With ``turning`` the picture is small enough to stay on the screen however it is
+    turned.  ``labels`` is room to leave free, besides the margin.
+
+    ValueError if zfrac is outside its range, or nothing is left of the screen.
+    """
+    if zfrac is not None and not 0.0 < zfrac < 1.0:
+        raise ValueError(f"zfrac must be between 0 and 1, not {zfrac!r}")
+    view = (projection or Mapping()).placed((0.0, 0.0), 1.0)
+    left, top, right, bottom = labels
+    # From the centre of the first pixel to that of the last, in widths of a pixel.
+    across, down = width - 1 - left - right, (height - 1 - top - bottom) / aspect
+    margin = MARGIN * min(width, height)
+    wide, high = across - 2 * margin, down - 2 * margin / aspect
+    if wide <= 0 or high <= 0:
+        raise ValueError(f"a screen of {width} x {height} pixels has no room for the picture")
+    ex, ey, ez = np.abs(view.M32)
+    lowest, highest = box
+    extent = highest - lowest
+    extent = np.where(extent == 0, 1.0, extent)  # a flat surface stays flat
+    if zfrac is None:
+        size = 2 * extent / extent.max()
+        unit = np.inf
+    else:
+        base = 2 * (ex + ey)
+        unit = min(_ratio(wide, base[0]), _ratio(high * (1 - zfrac), base[1]))
+        size = np.array((2, 2, high * zfrac / unit))
+    whole = size @ np.array((ex, ey, ez))
+    unit = min(unit, _ratio(wide, whole[0]), _ratio(high, whole[1]))
+    if turning:
+        # The ball around the box, as seen; a corner comes near the screen's edge only in passing.
+        ball = float(np.linalg.norm(size)) * np.linalg.norm(view.M32, axis=0)
+        unit *= min(1.0, across / (unit * ball[0]), down / (unit * ball[1]))
+    normal = compose(
+        translation(*-(lowest / 2 + highest / 2)),
+        scaling(*size / extent),
+    )
+    centre = (left + (width - 1 - right)) / 2, (top + (height - 1 - bottom)) / 2
+    return normal, view.placed(centre, unit, aspect)
+
+
+def _ratio(space: float, size: float) -> float:
+    """How often the size goes into the space; what has no size is no limit."""
+    return float(space / size) if size > 1e-12 * space else np.inf

@@ -1,0 +1,1 @@
+"""Drawing systems a surface can be drawn on: the BGI, SVG, characters."""

@@ -1,0 +1,150 @@
+"""All that the plotter needs of a graphics system: a size, some colours, and putpixel.
+
+The paper's promise is that its method works "with any graphics system where we have some primitive
+2-D graphics function". A system is any object with the functions of `System`, named and meant as in
+graphics.h: the BGI itself is one, `svg` and `characters` are two more. If it also has
+line (with setcolor), fillpoly (with setfillstyle), outtextxy or setrgbpalette, the pen uses them;
+otherwise it makes lines and polygons out of pixels, the same pixels, and does without writing. If
+it has getviewsettings, the picture is made for the viewport.
+
+This is the one file of `surfaces` that imports `bgi`, and it uses nothing but the public calls.
+"""
+
+from typing import Any, Protocol, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+import bgi
+from surfaces.space.transforms import FloatArray
+from surfaces.systems import trace
+
+Ints = NDArray[np.int64]
+WHITE = 15
+
+
+class System(Protocol):
+    """The least that a graphics system must have."""
+
+    def getmaxx(self) -> int:
+        """The largest x on the screen; the smallest is 0."""
+
+    def getmaxy(self) -> int:
+        """The largest y on the screen; y grows downwards."""
+
+    def getmaxcolor(self) -> int:
+        """The largest colour: 1, 3, 15 or 255."""
+
+    def putpixel(self, x: Any, y: Any, color: Any) -> None:
+        """Set one pixel; a system with ``arrays = True`` takes arrays of them, as the BGI does."""
+
+
+class Pen:
+    """Arrays in; pixels, lines, polygons and text on a graphics system out.
+
+    ``system`` None is the current screen of the BGI. A system may say three more things about
+    itself: ``arrays`` (its calls take arrays), ``vector`` (polygons are better than pixels, as in a
+    drawing that can be scaled), ``aspect`` (the width of a pixel divided by its height), and
+    ``character`` (how many pixels wide and high a character is, if not 8).
+    """
+
+    def __init__(self, system: System | None = None) -> None:
+        self.system = cast(Any, bgi if system is None else system)
+        self.arrays = bool(getattr(self.system, "arrays", self.system is bgi))
+        self.vector = bool(getattr(self.system, "vector", False))
+        self.width: int = self.system.getmaxx() + 1
+        self.height: int = self.system.getmaxy() + 1
+        self._whole = self.width, self.height
+        if self._has("getviewsettings"):  # then it draws into a part of the screen
+            view = self.system.getviewsettings()
+            self.width = view.right - view.left + 1
+            self.height = view.bottom - view.top + 1
+        self.colours: int = self.system.getmaxcolor() + 1
+        self.character = int(getattr(self.system, "character", 8))
+
+    @property
+    def aspect(self) -> float:
+        """The width of a pixel divided by its height: 1 on a VGA, less on older cards."""
+        # Whatever its mode, a PC's screen is four units wide and three high.
+        width, height = self._whole
+        usual = 4 * height / (3 * width) if self.system is bgi else 1.0
+        return float(getattr(self.system, "aspect", usual))
+
+    @property
+    def colour(self) -> int:
+        """The current drawing colour; WHITE, where a system has no such thing."""
+        return int(self.system.getcolor()) if self._has("getcolor") else self.ink(WHITE)
+
+    def ink(self, colour: int) -> int:
+        """One of graphics.h's sixteen colours, or the largest that the system has."""
+        return min(colour, self.colours - 1)
+
+    def _has(self, *names: str) -> bool:
+        return all(hasattr(self.system, name) for name in names)
+
+    def palette(self, entries: Ints, rgb: Ints) -> None:
+        """Give palette entries, (n,), their colours, (n, 3) of 0..255, where that can be done."""
+        if self.arrays and self._has("setrgbpalette"):
+            self.system.setrgbpalette(entries, *rgb.T)
+        elif self._has("setrgbpalette"):
+            for entry, (r, g, b) in zip(entries.tolist(), rgb.tolist(), strict=True):
+                self.system.setrgbpalette(entry, r, g, b)
+
+    def pixels(self, x: Ints, y: Ints, colours: Ints | int) -> None:
+        """Set pixels, in order; what lies off the screen is left out."""
+        if self.arrays:
+            self.system.putpixel(x, y, colours)
+            return
+        inside = (x >= 0) & (x < self.width) & (y >= 0) & (y < self.height)
+        shades = np.broadcast_to(colours, x.shape)
+        for pixel in zip(
+            x[inside].tolist(), y[inside].tolist(), shades[inside].tolist(), strict=True
+        ):
+            self.system.putpixel(*pixel)
+
+    def lines(self, starts: FloatArray, ends: FloatArray, colour: int) -> None:
+        """Lines between points (n, 2) of the screen, cut off at its edges."""
+        a, b, _ = trace.clip(starts, ends, self.width, self.height)
+        if not self._has("line"):
+            x, y, _ = trace.line_pixels(a, b)
+            self.pixels(x, y, colour)
+        elif self.arrays:
+            self.system.line(a[:, 0], a[:, 1], b[:, 0], b[:, 1], color=colour)
+        else:
+            self.system.setcolor(colour)
+            for ends_of_line in np.concatenate((a, b), axis=1).tolist():
+                self.system.line(*ends_of_line)
+
+    def polygons(self, corners: FloatArray, fills: Ints | int, outline: int) -> None:
+        """Solid polygons, corners (n, k, 2), one after another; outline 0 is not drawn."""
+        points = trace.rounded(corners)
+        if self.arrays and self._has("fillpoly"):
+            self.system.fillpoly(points, fill=fills, color=outline)
+            return
+        draw = self._fillpoly if self._has("fillpoly", "setfillstyle") else self._fill_pixels
+        for polygon, fill in zip(
+            points.tolist(), np.broadcast_to(fills, len(points)).tolist(), strict=True
+        ):
+            draw([(x, y) for x, y in polygon], fill, outline)
+
+    def _fillpoly(self, polygon: list[tuple[int, int]], fill: int, outline: int) -> None:
+        self.system.setfillstyle(bgi.SOLID_FILL, fill)
+        self.system.setcolor(outline)
+        self.system.fillpoly(polygon)
+
+    def _fill_pixels(self, polygon: list[tuple[int, int]], fill: int, outline: int) -> None:
+        for y, left, right in trace.polygon_rows(polygon, self.height):
+            x = np.arange(max(left, 0), min(right, self.width - 1) + 1)
+            self.pixels(x, np.full_like(x, y), fill)
+        sides = np.array(trace.polygon_sides(polygon), dtype=np.float64).reshape(-1, 2, 2)
+        if outline:
+            first, last, _ = trace.clip(sides[:, 0], sides[:, 1], self.width, self.height)
+            self.pixels(*trace.line_pixels(first, last)[:2], outline)
+
+    def text(self, x: float, y: float, text: str, colour: int) -> None:
+        """Write, the upper left corner at x, y, where the system can write."""
+        if self._has("outtextxy", "setcolor"):
+            before = self.colour
+            self.system.setcolor(colour)
+            self.system.outtextxy(round(x), round(y), text)
+            self.system.setcolor(before)

@@ -1,0 +1,1 @@
+"""What can be seen of a shape: orders of drawing, the floating horizon, the z-buffer, picking."""

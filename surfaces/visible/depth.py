@@ -1,0 +1,99 @@
+"""A depth for every pixel: cells anywhere in space, in any order, even through one another.
+
+The paper keeps z beside x' and y', "only to get the inverse". On one pixel, though, larger z means
+nearer to the eye: the triple is all that a depth buffer needs. For turned surfaces we take what
+always holds, the distance along the line of sight. A cell is two triangles; each is filled row by
+row, its depth and its value running evenly, and each pixel keeps the nearest it was offered.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfaces.space.transforms import FloatArray
+from surfaces.systems.colors import Palette
+from surfaces.systems.pen import Pen
+
+Ints = NDArray[np.int64]
+
+PART = 2048
+"""Cells at a time: what is made of them stays in the cache."""
+NEARNESS = 2.0**44
+"""Steps of depth from the farthest to the nearest; eight bits of colour go below them."""
+
+
+class DepthBuffer:
+    """The nearest colour for every pixel of the screen."""
+
+    def __init__(self, pen: Pen, palette: Palette) -> None:
+        self._pen, self._palette = pen, palette
+        self._nearest = np.full(pen.width * pen.height, -1, dtype=np.int64)
+
+    def add(
+        self, screen: FloatArray, depth: FloatArray, value: FloatArray, under: NDArray[np.bool_]
+    ) -> None:
+        """Offer cells: corners (m, 4, 2) on the screen, depths 0 to 1 and values (m, 4).
+
+        ``under``, (m,): whether the under side is seen.
+        """
+        for start in range(0, len(screen), PART):
+            part = slice(start, start + PART)
+            corners = np.concatenate(
+                (screen[part], depth[part, :, None], value[part, :, None]), axis=2
+            )
+            for triangle in ((0, 1, 2), (0, 2, 3)):
+                self._triangles(corners[:, triangle], under[part])
+
+    def _triangles(self, corners: FloatArray, under: NDArray[np.bool_]) -> None:
+        """Offer triangles: corners (m, 3, 4), which are x, y, depth and value."""
+        a, ab, ac = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        area = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
+        seen = np.flatnonzero(area)  # one seen on its edge covers no pixel
+        corners, a, ab, ac, area = corners[seen], a[seen], ab[seen], ac[seen], area[seen, None]
+        # How depth and value change from pixel to pixel, to the right and down.
+        right = ((ab[:, 2:] * ac[:, 1:2] - ac[:, 2:] * ab[:, 1:2]) / area).T
+        down = ((ac[:, 2:] * ab[:, :1] - ab[:, 2:] * ac[:, :1]) / area).T
+        at_origin = a[:, 2:].T - right * a[:, 0] - down * a[:, 1]
+
+        row, owner, left, far = self._rows(corners)
+        first = np.ceil(np.maximum(left, 0)).astype(np.int64)
+        last = np.floor(np.minimum(far, self._pen.width - 1)).astype(np.int64)
+        x, span = _ranges(first, last)
+        owner, y = owner.take(span), row.take(span)
+        depth, value = (
+            start.take(owner) + to_right.take(owner) * x + below.take(owner) * y
+            for start, to_right, below in zip(at_origin, right, down, strict=True)
+        )
+        shade = self._palette.shade(value, x, y, under[seen].take(owner))
+        key = (np.clip(depth, 0, 1) * NEARNESS).astype(np.int64) << 8 | shade
+        np.maximum.at(self._nearest, y * self._pen.width + x, key)
+
+    def _rows(self, corners: FloatArray) -> tuple[Ints, Ints, FloatArray, FloatArray]:
+        """The rows of the screen that triangles meet: row, whose, and where it begins and ends."""
+        x, y = corners[:, :, 0].T, corners[:, :, 1].T
+        top = np.ceil(np.maximum(y.min(axis=0), 0)).astype(np.int64)
+        bottom = np.floor(np.minimum(y.max(axis=0), self._pen.height - 1)).astype(np.int64)
+        row, owner = _ranges(top, bottom)
+        left, far = np.full(len(row), np.inf), np.full(len(row), -np.inf)
+        for k in range(3):  # each side that the row meets bounds it
+            y1, y2 = y[k].take(owner), y[k - 1].take(owner)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                slope = ((x[k - 1] - x[k]) / (y[k - 1] - y[k])).take(owner)
+                crossing = x[k].take(owner) + (row - y1) * slope
+            meets = (row - y1) * (row - y2) <= 0
+            left = np.where(meets, np.fmin(left, crossing), left)
+            far = np.where(meets, np.fmax(far, crossing), far)
+        return row, owner, left, far
+
+    def draw(self) -> None:
+        """Draw what was the nearest."""
+        place = np.flatnonzero(self._nearest >= 0)
+        y, x = np.divmod(place, self._pen.width)
+        self._pen.pixels(x, y, self._nearest[place] & 255)
+
+
+def _ranges(first: Ints, last: Ints) -> tuple[Ints, Ints]:
+    """The whole numbers of many ranges, one after the other, and which range each is from."""
+    count = np.maximum(last - first + 1, 0)
+    owner = np.repeat(np.arange(len(count)), count)
+    begin = np.cumsum(count) - count
+    return np.arange(len(owner)) - (begin - first)[owner], owner

@@ -1,0 +1,180 @@
+"""What is seen of a height field, by the floating horizon: pixels, and parts of lines on it.
+
+`visible.sweep` finds the horizon. Here every strip that rises above it, or falls below it, is
+turned into pixels: each visible pixel once, the hidden ones never. A strip that rises above the
+horizon shows its upper side, one that falls below it the under side; so the two can have colours of
+their own.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfaces.shape.grid import some
+from surfaces.space.transforms import FloatArray
+from surfaces.systems import trace
+from surfaces.visible.sweep import Block, Floats, Ints, Sweep
+
+# How far, in pixels, a line's pixel may lie behind the horizon and still be seen.
+SLACK = np.float32(0.5)
+# Lines traced at a time: what is made of them stays in the cache.
+PART = 4096
+
+
+class Pixels(NamedTuple):
+    """Visible pixels of one side of the surface."""
+
+    x: Ints
+    y: Ints
+    value: Floats
+    """The value of the field there: it runs evenly from line to line."""
+    under: bool
+    """Whether the under side is seen."""
+
+
+def fill(sweep: Sweep, field: NDArray[np.float64]) -> Iterator[Pixels]:
+    """Every visible pixel with the value of a field given at the grid's nodes, a few at a time."""
+    values = sweep.oriented(field).ravel()
+    for phase in range(sweep.phases):
+        rows, shifts = sweep.rows(phase)
+        # How many of the rows lie above each row of the screen.
+        passed = np.searchsorted(rows, np.arange(sweep.size[1] + 1)).astype(np.int32)
+        for block in sweep.blocks(phase):
+            value = block.crossings.values(values)
+            for rising, edge in _edges(block, passed):
+                place, u, run = _gained(edge)
+                if not rising:
+                    place = -1 - place
+                v = place
+                if sweep.shear:  # only then are the rows not all rows, and shifted
+                    v = rows.take(place)
+                    u += shifts.take(place)
+                u += sweep.first + block.columns.start
+                x, y = (v, u) if sweep.lying else (u, v)
+                shade = _shade(block.v, value, run, v)
+                yield Pixels(x, y, shade, rising != sweep.rising_is_upper)
+
+
+def _edges(block: Block, passed: NDArray[np.int32]) -> Iterator[tuple[bool, NDArray[np.int32]]]:
+    """Where the horizon ends after each line, as a number of rows passed: it never grows.
+
+    First where it rises; then where it falls, which is rising with the sign reversed.
+    """
+    height = len(passed) - 1
+    if (block.upper[:, -1] < block.v[:, 0]).any():
+        upper = np.ceil(np.clip(block.upper, 0, height)).astype(np.int32)
+        yield True, passed.take(upper)
+    if (block.lower[:, -1] > block.v[:, 0]).any():
+        lower = np.floor(np.clip(block.lower, -1, height - 1)).astype(np.int32)
+        yield False, -passed.take(lower + 1)
+
+
+class Runs(NamedTuple):
+    """Pixels of one column that one strip gains."""
+
+    line: Ints
+    """The strip's farther line, in an array over columns and lines; the nearer one precedes it."""
+    pixels: NDArray[np.int32]
+    """How many pixels."""
+
+
+def _gained(edge: NDArray[np.int32]) -> tuple[Ints, Ints, Runs]:
+    """The pixels by which strips move the horizon, column by column: rows passed, column, runs."""
+    counts = np.zeros_like(edge)
+    np.subtract(edge[:, :-1], edge[:, 1:], out=counts[:, 1:])
+    line = np.flatnonzero(counts > 0)
+    # In one column the rows follow one another, away from the nearest line.
+    total = edge[:, 0] - edge[:, -1]
+    u = np.repeat(np.arange(len(total)), total)
+    ends = np.cumsum(total)
+    place = np.repeat(edge[:, 0] - 1 + ends - total, total) - np.arange(len(u))
+    return place, u, Runs(line, counts.ravel().take(line))
+
+
+def _shade(v: Floats, value: Floats, runs: Runs, rows: Ints) -> Floats:
+    """The value at every pixel: from line to line it is an even slope."""
+    flat_v, flat_value = v.ravel(), value.ravel()
+    v1, value1 = flat_v.take(runs.line - 1), flat_value.take(runs.line - 1)
+    slope = (flat_value.take(runs.line) - value1) / (flat_v.take(runs.line) - v1)
+    shade = np.repeat(slope, runs.pixels) * rows.astype(np.float32)
+    shade += np.repeat(value1 - slope * v1, runs.pixels)
+    return shade
+
+
+class Horizon:
+    """The horizon after every line: what hides lines that lie on the surface."""
+
+    def __init__(self, sweep: Sweep) -> None:
+        """Sweep once, and remember."""
+        self._sweep = sweep
+        self._shifts = sweep.shifts(1)
+        shape = max(0, sweep.last + 1 - sweep.first), len(sweep.s)
+        self._upper, self._lower = np.empty(shape, np.float32), np.empty(shape, np.float32)
+        for block in sweep.blocks():
+            self._upper[block.columns] = block.upper
+            self._lower[block.columns] = block.lower
+
+    def seen(self, x: Ints, y: Ints, line: Ints) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Which pixels, on the screen, are above and which below what hides them.
+
+        ``line`` is the nearer line of the strip that each lies in: with the lines up to this one
+        it is hidden between the horizons. Pixels lie up to half a pixel beside their line, and are
+        seen up to half a pixel behind the horizon.
+        """
+        row, column = (x, y) if self._sweep.lying else (y, x)
+        column = column - self._shifts.take(row) - self._sweep.first
+        columns, lines = self._upper.shape
+        place = np.clip(column, 0, columns - 1) * lines + line
+        return row <= self._upper.take(place) + SLACK, row >= self._lower.take(place) - SLACK
+
+
+class Segments(NamedTuple):
+    """Short straight lines on the surface, as the screen sees them."""
+
+    starts: FloatArray
+    """(n, 2)"""
+    ends: FloatArray
+    line: Ints
+    """The nearer line of the strip that each lies in."""
+    joined: bool = False
+    """Whether each begins where another one ends."""
+
+
+def mesh(sweep: Sweep, x_every: int | None, y_every: int | None) -> Iterator[Segments]:
+    """The lines of the grid: every so many lines of constant x and of constant y, or none."""
+    across, along = (y_every, x_every) if sweep.of_y else (x_every, y_every)
+    lines, nodes = sweep.shape
+    if across:
+        chosen = some(lines, across)
+        if sweep.reversed:  # the same lines, whichever is the nearest
+            chosen = lines - 1 - chosen
+        points = sweep.points(chosen, np.arange(nodes))
+        yield from _chains(np.moveaxis(points, 1, 0), np.maximum(chosen - 1, 0)[None])
+    if along:
+        points = sweep.points(np.arange(lines), some(nodes, along))
+        yield from _chains(points, np.arange(lines - 1)[:, None])
+
+
+def _chains(points: FloatArray, line: Ints) -> Iterator[Segments]:
+    """The segments of lines from point to point, (points, lines, 2), and where each line ends."""
+    starts, ends = points[:-1].reshape(-1, 2), points[1:].reshape(-1, 2)
+    owners = np.broadcast_to(line, (len(points) - 1, points.shape[1]))
+    yield Segments(starts, ends, owners.ravel(), joined=True)
+    yield Segments(points[-1], points[-1], owners[-1])
+
+
+def visible(
+    sweep: Sweep, horizon: Horizon, segments: Segments
+) -> Iterator[tuple[Ints, Ints, NDArray[np.bool_]]]:
+    """The visible pixels of lines on the surface: x, y, and whether the under side is seen."""
+    width, height = sweep.size[::-1] if sweep.lying else sweep.size
+    for start in range(0, len(segments.line), PART):
+        part = slice(start, start + PART)
+        first, last, kept = trace.clip(segments.starts[part], segments.ends[part], width, height)
+        x, y, owner = trace.line_pixels(first, last, segments.joined)
+        above, below = horizon.seen(x, y, segments.line[part].take(kept).take(owner))
+        seen = np.flatnonzero(above | below)
+        upper = above if sweep.rising_is_upper else below
+        yield x.take(seen), y.take(seen), ~upper.take(seen)

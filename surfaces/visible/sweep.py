@@ -1,0 +1,317 @@
+"""The floating horizon, column by column, in every affine view.
+
+Old plotters drew z = f(x, y) line by line from front to back and remembered, for every column of
+pixels, the highest and the lowest point drawn so far: the horizon. What lies between the two is
+hidden, what lies beyond is seen and moves the horizon. That needs heights to be vertical on the
+screen; here they may point anywhere.
+
+Let g be the direction of the z axis on the screen. Along u = x' - (gx / gy) y' a height makes no
+difference, so u is a plain a x + b y + c, and all points with one u form a column parallel to g. In
+it, each line of the grid is met in one point, at the height v = y' on the screen; between two
+neighbouring lines the surface is the straight strip from point to point. (If g lies flat, x' and y'
+change places.) Each row of pixels takes the columns nearest to its pixels, and each pixel one.
+
+The lines are taken from the nearest to the farthest, as `visible.order` tells. That holds for
+every turn, shear and reflection, from above and from below.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfaces.shape.grid import Grid
+from surfaces.space.transforms import FloatArray, apply
+from surfaces.visible.order import View
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int64]
+
+# Entries of a block of columns: what is made of them stays in the cache, and below the size at
+# which an allocator asks the system for fresh memory each time.
+BLOCK = 1 << 14
+# Narrower than this many pixels, a surface is seen on its edge, and columns say nothing about it.
+EDGE_ON = 1.5
+# Heights of less than this many pixels are no direction to shear along.
+NO_HEIGHT = 0.1
+# A shear that moves no row by more than this many pixels is a rounding error.
+NO_SHIFT = 0.01
+# Rows shift sheared columns by parts of a pixel: a column for every third of one is near enough.
+PHASES = 3
+
+
+class Rim(NamedTuple):
+    """Where columns leave the grid between two lines; the crossing stands in for a line missed."""
+
+    column: Ints
+    line: Ints
+    before: Ints
+    """The node on the rim before the crossing, and the node behind it, in a flattened field."""
+    behind: Ints
+    part: Floats
+    """How far the crossing is from the one to the other: 0 to 1."""
+    s: FloatArray
+    """Where it lies between the lines."""
+
+
+class Crossings(NamedTuple):
+    """Where columns meet the lines; arrays of shape (columns, lines), the nearest line first."""
+
+    before: NDArray[np.int32]
+    """The node before the crossing, in a flattened field."""
+    part: Floats
+    """How far it is to the next node: 0 to 1."""
+    met: NDArray[np.bool_]
+    """Whether the column meets the line at all, or a rim beside it."""
+    rims: tuple[Rim, Rim]
+
+    def values(self, field: Floats) -> Floats:
+        """A field of `Sweep.oriented`, flattened, at the crossings."""
+        value = field.take(self.before)
+        slope = field.take(self.before + 1)
+        slope -= value
+        slope *= self.part
+        value += slope
+        for rim in self.rims:
+            here = field[rim.before]
+            value[rim.column, rim.line] = here + rim.part * (field[rim.behind] - here)
+        return value
+
+
+class Block(NamedTuple):
+    """Some columns, side by side, and what is seen in them."""
+
+    columns: slice
+    """Which ones: places along u, from 0 for the sweep's first."""
+    crossings: Crossings
+    v: Floats
+    """How far down the screen each crossing is; at the column's nearest, where it meets no line."""
+    upper: Floats
+    """The horizon with that line and all nearer ones drawn: the least v so far..."""
+    lower: Floats
+    """... and the greatest."""
+
+
+class Sweep:
+    """The columns of a height field without holes, on a screen of width x height pixels."""
+
+    def __init__(self, grid: Grid, view: View, width: int, height: int) -> None:
+        """Choose columns and lines; `blocks` does the work."""
+        self.grid, self.view = grid, view
+        screen = view.screen
+        low, high = float(np.nanmin(grid.z)), float(np.nanmax(grid.z))
+        reach = (high - low) * np.abs(screen[2, :2])
+        across = 1 if reach[0] > reach[1] else 0
+        self.lying = across == 1
+        """Whether heights lie rather flat on the screen, so that columns look like rows."""
+        self.size = (height, width) if self.lying else (width, height)
+        """Pixels along u and along v."""
+        to_v = screen[:, 1 - across]
+        shear = float(screen[2, across] / to_v[2]) if reach.max() > NO_HEIGHT else 0.0
+        self.shear = shear if abs(shear) * self.size[1] > NO_SHIFT else 0.0
+        self.phases = PHASES if self.shear else 1
+        """How many sets of columns there are, each between those of the one before."""
+        to_u = screen[:, across] - self.shear * to_v
+
+        # Lines run the way along which u changes more: then every column meets many of them.
+        extent = np.abs(to_u[:2]) * (np.ptp(grid.x), np.ptp(grid.y))
+        self.of_y = bool(extent[0] > extent[1])
+        """Whether a line has one y; otherwise it has one x."""
+        k, j = (1, 0) if self.of_y else (0, 1)
+        # The line next to the eye comes first.
+        self.reversed = bool(view.eye[k] > 0)
+        """Whether that is the last one of the grid."""
+        self._order = slice(None, None, -1 if self.reversed else 1)
+        self.s, self.t = (grid.x, grid.y)[k][self._order], (grid.x, grid.y)[j]
+        steps = np.diff(self.t)
+        self._even = bool(np.ptp(steps) < 1e-6 * steps.mean())
+        # Without a shear, what height there is, less than a pixel, counts as its middle.
+        self._u = to_u[3] + to_u[2] * (low + high) / 2, to_u[k], to_u[j]
+        # Heights from 0 to 1: what is large about them stays in double precision.
+        tall = (high - low) or 1.0
+        self._z = self.oriented((grid.z - low) / tall)
+        self._v = to_v[3] + to_v[2] * low, to_v[k], to_v[j], to_v[2] * tall
+        self._rows = screen[3] + screen[2] * low, screen[k], screen[j], screen[2] * tall
+        self._heights = low, tall
+        # Where heights cannot be told on the screen, the eye sees one side of everything.
+        up = -self._v[3] if reach.max() > NO_HEIGHT else view.eye[2]
+        self.rising_is_upper = bool(up > 0)
+        """Whether a strip that rises above the horizon shows its upper side."""
+
+        corners = self.place_u(self.s[[0, -1]], self.t[[0, -1], None])
+        self.edge_on = bool(np.ptp(corners) < EDGE_ON)
+        """Whether the surface is seen on its edge: then there is hardly a column."""
+        # Of the surface's columns those on the screen, whose rows shift them by so many pixels:
+        shift = self.shear * (self.size[1] - 1)
+        self.first = int(np.ceil(max(corners.min(), min(0.0, -shift) - 1)))
+        self.last = int(np.floor(min(corners.max(), self.size[0] + max(0.0, -shift))))
+
+    def place_u(self, s: FloatArray, t: FloatArray | np.float64) -> FloatArray:
+        """Where the point t of the line s lies along u."""
+        u0, us, ut = self._u
+        u: FloatArray = u0 + us * s + ut * t
+        return u
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """How many lines there are, and how many nodes each has."""
+        lines, nodes = self._z.shape
+        return lines, nodes
+
+    def nearer_line(self, cells: Ints) -> Ints:
+        """The nearer line of the strip in which each cell (m, 2) of the grid lies."""
+        cell = cells[:, 1 if self.of_y else 0]
+        return self.shape[0] - 2 - cell if self.reversed else cell
+
+    def points(self, lines: Ints, nodes: Ints) -> FloatArray:
+        """Where nodes appear on the screen: (len(lines), len(nodes), 2)."""
+        z = self._z[np.ix_(lines, nodes)].astype(np.float64)
+        origin, per_s, per_t, per_z = self._rows
+        found = np.empty((*z.shape, 2))
+        for way in range(2):
+            across = origin[way] + per_s[way] * self.s[lines, None] + per_t[way] * self.t[nodes]
+            found[..., way] = across + per_z[way] * z
+        return found
+
+    def oriented(self, field: NDArray[np.float64]) -> Floats:
+        """A field over the grid as (lines, nodes of a line), the nearest line first."""
+        lines = (field.T if self.of_y else field)[self._order]
+        return np.ascontiguousarray(lines, dtype=np.float32)
+
+    def shifts(self, phases: int) -> Ints:
+        """How far each row of the screen shifts the columns, in so many parts of a pixel."""
+        rows = np.arange(self.size[1])
+        shifts: Ints = np.floor(phases * self.shear * rows + 0.5).astype(np.int64)
+        return shifts
+
+    def rows(self, phase: int) -> tuple[Ints, Ints]:
+        """The rows of the screen that columns of a phase serve, and their shifts in pixels."""
+        shifts = self.shifts(self.phases)
+        rows = np.flatnonzero((shifts + phase) % self.phases == 0)
+        return rows, (shifts[rows] + phase) // self.phases
+
+    def blocks(self, phase: int = 0) -> Iterator[Block]:
+        """All columns on the screen, some at a time; those of another phase lie between them."""
+        step = max(1, BLOCK // len(self.s))
+        for start in range(self.first - (phase > 0), self.last + 1, step):
+            stop = min(start + step, self.last + 1)
+            u = np.arange(start, stop, dtype=np.float64) + phase / self.phases
+            crossings = self.crossings(u)
+            v = self.heights(u, crossings)
+            # A line that the column does not meet must not move the horizon.
+            nearest = crossings.met.argmax(axis=1)
+            np.copyto(v, v[np.arange(len(u)), nearest][:, None], where=~crossings.met)
+            upper, lower = np.minimum.accumulate(v, axis=1), np.maximum.accumulate(v, axis=1)
+            yield Block(slice(start - self.first, stop - self.first), crossings, v, upper, lower)
+
+    def crossings(self, u: FloatArray) -> Crossings:
+        """Where the columns at u (any numbers) meet the lines."""
+        lines, nodes = self._z.shape
+        along = self._along(u)
+        met = (along >= 0) & (along <= nodes - 1)
+        np.clip(along, 0, nodes - 1, out=along)
+        before = along.astype(np.int32)
+        np.minimum(before, nodes - 2, out=before)
+        along -= before
+        before += np.arange(0, lines * nodes, nodes, dtype=np.int32)
+        rims = self._rim(u, 0, met), self._rim(u, nodes - 1, met)
+        for rim in rims:
+            met[rim.column, rim.line] = True
+        return Crossings(before, along, met, rims)
+
+    def _along(self, u: FloatArray) -> Floats:
+        """How many cells from its beginning columns meet a line; outside its cells if never."""
+        u0, us, ut = self._u
+        along: Floats
+        if self._even:
+            cell = ut * (self.t[1] - self.t[0])
+            begins = (self.place_u(self.s, self.t[0]) / cell).astype(np.float32)
+            along = (u / cell).astype(np.float32)[:, None] - begins
+        else:
+            t = (u[:, None] - u0 - us * self.s) / ut
+            nodes = np.arange(len(self.t), dtype=np.float64)
+            along = np.interp(t, self.t, nodes, left=-1, right=len(nodes)).astype(np.float32)
+        return along
+
+    def _rim(self, u: FloatArray, node: int, met: NDArray[np.bool_]) -> Rim:
+        """Where columns pass between the ends of two lines and meet only one of these lines."""
+        nodes = self._z.shape[1]
+        ends = self.place_u(self.s, self.t[node])
+        rising = 1 if ends[-1] > ends[0] else -1
+        line = np.searchsorted(rising * ends, rising * u, side="right") - 1
+        between = (line >= 0) & (line < len(ends) - 1)
+        column, line = np.flatnonzero(between), line[between]
+        one = met[column, line] != met[column, line + 1]
+        column, line = column[one], line[one]
+        part = (u[column] - ends[line]) / (ends[line + 1] - ends[line])
+        missed = np.where(met[column, line], line + 1, line)
+        before = line * nodes + node
+        s = self.s[line] + part * (self.s[line + 1] - self.s[line])
+        return Rim(column, missed, before, before + nodes, part.astype(np.float32), s)
+
+    def heights(self, u: FloatArray, crossings: Crossings) -> Floats:
+        """How far down the screen (v) the crossings are."""
+        u0, us, ut = self._u
+        v0, vs, vt, vz = self._v
+        # v = v0 + vs s + vt t + vz z, with t from u = u0 + us s + ut t.
+        v = crossings.values(self._z.ravel())
+        v *= np.float32(vz)
+        per_line = vs - vt / ut * us
+        v += (v0 + vt / ut * (u - u0)).astype(np.float32)[:, None]
+        v += (per_line * self.s).astype(np.float32)
+        for rim in crossings.rims:  # which lie beside their line
+            v[rim.column, rim.line] += per_line * (rim.s - self.s[rim.line])
+        return v
+
+    def hits(self, px: float, py: float) -> FloatArray:
+        """All points (x, y, z) of the surface at a place of the screen, (m, 3), nearest first.
+
+        None if the surface is seen on its edge.  Holes, of NaN, are never hit.
+        """
+        if self.edge_on:
+            return np.zeros((0, 3))
+        u, v = self._column(np.array(((px, py),)))
+        points, down, met = (array[0] for array in self._met(u))
+        down = down - v
+        strip = np.flatnonzero(met[:-1] & met[1:] & (down[:-1] * down[1:] <= 0))
+        change = down[strip] - down[strip + 1]
+        part = (down[strip] / np.where(change == 0, 1.0, change))[:, None]
+        found: FloatArray = points[strip] + part * (points[strip + 1] - points[strip])
+        return found
+
+    def hides(self, points: FloatArray) -> NDArray[np.bool_]:
+        """Which points (m, 3) of space are behind a strip, by more than a cell is deep."""
+        u, v = self._column(apply(points, self.view.screen)[:, :2])
+        lines, down, met = self._met(u)
+        down = down - v[:, None]
+        covers = met[:, :-1] & met[:, 1:] & (down[:, :-1] * down[:, 1:] < 0)
+        point, strip = np.nonzero(covers)
+        here, there = down[point, strip], down[point, strip + 1]
+        near = lines @ self.view.eye
+        start, end = near[point, strip], near[point, strip + 1]
+        hit = start + here / (here - there) * (end - start)
+        cell = np.array((np.diff(self.grid.x).max(), np.diff(self.grid.y).max()))
+        behind = hit > (points @ self.view.eye)[point] + cell @ np.abs(self.view.eye[:2])
+        hidden = np.zeros(len(points), dtype=bool)
+        hidden[point[behind]] = True
+        return hidden
+
+    def _column(self, pixels: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The u and the v of places (m, 2) on the screen."""
+        across, v = pixels.T[::-1] if self.lying else pixels.T
+        return across - self.shear * v, v
+
+    def _met(self, u: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+        """Where columns meet the lines: points (m, lines, 3), v, and whether they do."""
+        crossings = self.crossings(u)
+        u0, us, ut = self._u
+        low, tall = self._heights
+        s = np.broadcast_to(self.s, crossings.part.shape).copy()
+        for rim in crossings.rims:
+            s[rim.column, rim.line] = rim.s
+        t = (u[:, None] - u0 - us * s) / ut
+        z = low + tall * crossings.values(self._z.ravel())
+        x, y = (t, s) if self.of_y else (s, t)
+        points = np.stack((x, y, z), axis=-1)
+        return points, self.heights(u, crossings).astype(np.float64), crossings.met

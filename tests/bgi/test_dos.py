@@ -1,0 +1,200 @@
+"""conio.h's keyboard and dos.h's time, sound and chance, without a window."""
+
+import itertools
+import time
+
+import pytest
+
+import bgi
+from bgi import conio, dos
+from bgi.graphics import current
+from bgi.monitor.headless import Headless
+from bgi.monitor.speaker import CLOCK, LOUDNESS, RATE, Speaker
+
+
+@pytest.fixture
+def keys(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A screen, and keys that will be pressed."""
+    monkeypatch.setenv("BGI_KEYS", "a Up Esc 1")
+    bgi.initgraph()
+
+
+def monitor() -> Headless:
+    found = current.screen.monitor
+    assert isinstance(found, Headless)
+    return found
+
+
+# The keyboard
+
+
+def test_ungetch_gives_one_character_back(keys: None) -> None:
+    assert conio.getch() == ord("a")
+    assert conio.ungetch(ord("b")) == ord("b")
+    assert conio.ungetch(ord("c")) == conio.EOF
+    assert conio.kbhit()
+    assert conio.getch() == ord("b")
+    assert conio.getch() == 0
+    assert conio.ungetch(ord("d")) == conio.EOF
+    assert conio.getch() == 72
+    with pytest.raises(ValueError, match="c must be a code from 0 to 255, not 256"):
+        conio.ungetch(256)
+
+
+def test_getche_shows_what_it_returns(keys: None, capsys: pytest.CaptureFixture[str]) -> None:
+    for code in (0x82, 13, 27, 8, 0):
+        conio.ungetch(code)
+        assert conio.getche() == code
+    assert conio.getche() == ord("a")
+    assert capsys.readouterr().out == "é\n\ba"
+
+
+def test_bioskey(keys: None) -> None:
+    assert dos.bioskey(1) == dos.bioskey(1) == dos.bioskey(0) == 0x1E61
+    assert dos.bioskey(0) == 0x4800
+    assert conio.getch() == 27
+    assert dos.bioskey(0) == 0x0231
+    assert (dos.bioskey(1), dos.bioskey(2)) == (0, 0)
+    monitor().keys.shifts = 6
+    assert dos.bioskey(2) == 6
+    with pytest.raises(ValueError, match="cmd must be 0, 1 or 2, not 3"):
+        dos.bioskey(3)
+    with pytest.raises(bgi.BGIError, match="no scripted key is left"):
+        dos.bioskey(0)
+
+
+def test_before_initgraph() -> None:
+    calls = [
+        conio.getche,
+        lambda: conio.ungetch(1),
+        lambda: dos.bioskey(2),
+        lambda: dos.sound(440),
+        dos.nosound,
+    ]
+    for call in calls:
+        with pytest.raises(bgi.BGIError, match="not initialized"):
+            call()
+
+
+# Time
+
+
+def test_the_clock_is_the_monitors() -> None:
+    bgi.initgraph()
+    ticks, moment = dos.clock(), dos.gettime()
+    dos.sleep(3)
+    dos.delay(500)
+    assert dos.clock() - ticks in (63, 64)  # 3.5 s of 18.2
+    seconds = (dos.gettime().ti_sec - moment.ti_sec) % 60
+    assert seconds in (3, 4)
+    assert dos.gettime().ti_hund in range(100)
+
+
+def test_a_program_that_waits_by_the_clock_ends() -> None:
+    bgi.initgraph()
+    end = dos.clock() + 40
+    while dos.clock() < end:
+        pass
+    assert monitor().now == pytest.approx(40 / 18.2 * 1000, abs=60)
+
+
+def test_today() -> None:
+    before, today, after = time.localtime(), dos.getdate(), time.localtime()
+    assert (today.da_year, today.da_mon, today.da_day) in {before[:3], after[:3]}
+    moment = dos.gettime()
+    assert 0 <= dos.biostime(0) < 24 * 3600 * 18.2 + 1
+    assert 0 <= moment.ti_hour < 24
+    with pytest.raises(ValueError, match="the clock can be read, not set"):
+        dos.biostime(1)
+
+
+def test_fields_are_in_borlands_order() -> None:
+    assert repr(dos.time(1, 2, 3, 4)) == "time(ti_min=1, ti_hour=2, ti_hund=3, ti_sec=4)"
+    assert repr(dos.date(1992, 2, 3)) == "date(da_year=1992, da_day=2, da_mon=3)"
+
+
+@pytest.mark.parametrize("wrong", [-1, float("nan"), float("inf")])
+def test_waiting_for_ever_is_refused(wrong: float) -> None:
+    with pytest.raises(ValueError, match="finite number of 0 or more"):
+        dos.sleep(wrong)
+
+
+# Chance
+
+
+def test_borlands_generator() -> None:
+    dos.srand(1)
+    assert [dos.rand() for _ in range(8)] == [346, 130, 10982, 1090, 11656, 7117, 17595, 6415]
+    dos.srand(1)
+    assert [dos.random(100) for _ in range(3)] == [1, 0, 33]
+    assert all(0 <= dos.random(7) < 7 for _ in range(1000))
+    with pytest.raises(ValueError, match="num must be 1 or more, not 0"):
+        dos.random(0)
+
+
+def test_randomize_is_by_the_clock() -> None:
+    bgi.initgraph()
+    dos.randomize()
+    first = dos.rand()
+    dos.sleep(1)
+    dos.randomize()
+    assert dos.rand() != first
+
+
+# Sound
+
+
+def test_what_was_played_and_when() -> None:
+    bgi.initgraph()
+    begin = monitor().now
+    dos.sound(440)
+    dos.delay(100)
+    dos.sound(880.9)
+    dos.delay(50)
+    dos.nosound()
+    dos.sound(-3)
+    played = [(round(moment - begin), hertz) for moment, hertz in monitor().sounds]
+    assert played == [(0, 440), (100, 880), (150, 0), (150, 0)]
+
+
+def samples(speaker: Speaker, count: int) -> list[int]:
+    import numpy as np
+
+    room = np.ones(count, np.int16)
+    speaker.fill(room)
+    return room.tolist()
+
+
+@pytest.fixture
+def speaker(monkeypatch: pytest.MonkeyPatch) -> Speaker:
+    """A speaker that opens no sound card."""
+    monkeypatch.setattr(Speaker, "_open", lambda self: None)
+    return Speaker()
+
+
+def test_the_wave_is_square(speaker: Speaker) -> None:
+    assert samples(speaker, 3) == [0, 0, 0]
+    speaker.sound(440)
+    second = samples(speaker, RATE)
+    assert set(second) == {-LOUDNESS, LOUDNESS}
+    flips = sum(a != b for a, b in itertools.pairwise(second))
+    assert flips == pytest.approx(2 * CLOCK / (CLOCK // 440), abs=1)
+    speaker.sound(0)
+    assert samples(speaker, 5) == [0] * 5
+
+
+def test_a_change_of_pitch_leaves_no_gap(speaker: Speaker) -> None:
+    """Neither a jump back nor a longer half-wave than the lower of the two pitches has."""
+    played: list[int] = []
+    for number in range(40):
+        speaker.sound((300, 1000)[number % 2])
+        played += samples(speaker, 77)
+    runs = [len(list(run)) for _, run in itertools.groupby(played)]
+    assert max(runs) <= RATE / 300 / 2 + 1
+    assert min(runs[1:-1]) >= RATE / 1000 / 2 - 1
+
+
+@pytest.mark.parametrize("hertz", [0, -5, 20_001, 65_535, 10**9])
+def test_what_nobody_hears(speaker: Speaker, hertz: int) -> None:
+    speaker.sound(hertz)
+    assert samples(speaker, 3) == [0, 0, 0]

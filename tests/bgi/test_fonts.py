@@ -1,0 +1,220 @@
+"""Stroked fonts: how a text becomes lines, and the ten fonts that ship."""
+
+import numpy as np
+import pytest
+
+from bgi.fonts.chr import encode, parse
+from bgi.fonts.layout import SIZES, Scale, anchor, segments, textheight, textwidth
+from bgi.fonts.table import STANDARD, FontTable
+from bgi.graphics import Graphics
+from bgi.kernel.modes import find
+from tests.bgi.test_golden import CASES, GOLDEN
+from tests.pictures import assert_same, read_indices
+from tests.stroked import font_of
+
+HELLO = b"Hello, World"
+FONTS = {name: FontTable().load(number) for number, name in enumerate(STANDARD, start=1)}
+named = pytest.mark.parametrize("name", STANDARD)
+
+
+# The layout, against pictures
+
+
+class Writer:
+    """The text calls of a golden case, drawn as lines on a screen."""
+
+    def __init__(self, case):
+        self.screen = Graphics(find(case["driver"], case["gmode"]))
+        self.font = FontTable().load(1, GOLDEN / "fonts")
+        self.scale, self.vertical, self.justify = SIZES[1], False, (0, 2)
+
+    def settextstyle(self, font, direction, size):
+        assert font == 1
+        self.vertical = direction == 1
+        self.scale = SIZES.get(size, Scale(1, 1, 1, 1))
+
+    def setusercharsize(self, *factors):
+        self.scale = Scale(*factors)
+
+    def settextjustify(self, *justify):
+        self.justify = justify
+
+    def outtextxy(self, x, y, text):
+        text = text.encode()
+        dx, dy = anchor(self.font, text, self.scale, self.vertical, *self.justify)
+        lines = segments(self.font, text, self.scale, self.vertical)
+        x1, y1, x2, y2 = (lines + np.tile((x + dx, y + dy), 2)).T
+        self.screen.line(x1, y1, x2, y2)
+
+    def textwidth(self, text):
+        return textwidth(self.font, text.encode(), self.scale)
+
+    def textheight(self, text):
+        return textheight(self.font, self.scale)
+
+    def graphresult(self):
+        return 0
+
+
+# Of vertical text the model behind the pictures drew LEFT_TEXT with TOP_TEXT only.
+MODELLED = {"stroke_vertical": (0, 320, 199, 479)}
+STROKES = [case for case in CASES if case["group"] == "stroke"]
+
+
+@pytest.mark.parametrize("case", STROKES, ids=[case["name"] for case in STROKES])
+def test_golden_strokes(case):
+    writer = Writer(case)
+    answers = {}
+    for number, (name, *arguments) in enumerate(case["calls"]):
+        owner = writer if hasattr(writer, name) else writer.screen
+        answers[str(number)] = [getattr(owner, name)(*arguments)]
+    x0, y0, x1, y1 = MODELLED.get(case["name"], case["region"])
+    region = slice(y0, y1 + 1), slice(x0, x1 + 1)
+    expected = read_indices(GOLDEN / case["picture"])
+    assert_same(writer.screen.page.array[region], expected[region], f"{case['name']}_lines")
+    assert {n: answers[n] for n in case["results"]} == case["results"]
+
+
+def test_strokes_by_hand():
+    font = font_of([(False, 0, 0), (True, 3, -2)], [(False, 1, 1), (True, 1, 1)], widths=[5, 7])
+    assert segments(font, b"AB", SIZES[4]).tolist() == [[0, 0, 3, 2], [6, -1, 6, -1]]
+    assert segments(font, b"AB", SIZES[4], True).tolist() == [[0, 0, 2, -3], [-1, -6, -1, -6]]
+    assert segments(font, b"AzB", SIZES[10]).tolist() == [[0, 0, 12, 8], [24, -4, 24, -4]]
+
+
+def test_a_character_begins_with_the_pen_lifted():
+    font = font_of([(True, 2, 2), (True, 4, 4)])
+    assert segments(font, b"A", SIZES[4]).tolist() == [[2, -2, 4, -4]]
+
+
+def test_coordinates_are_truncated_toward_zero():
+    font = font_of([(False, -1, -1), (True, 3, 4)])
+    assert segments(font, b"A", SIZES[1]).tolist() == [[0, 0, 1, -2]]
+    assert segments(font, b"A", Scale(-1, 2, 3, -2)).tolist() == [[0, -1, -1, 6]]
+
+
+def test_segments_are_cached_and_cannot_be_spoilt():
+    font = font_of([(False, 0, 0), (True, 1, 1)])
+    assert segments(font, b"A", SIZES[4]) is segments(font, b"A", SIZES[4])
+    with pytest.raises(ValueError, match="read-only"):
+        segments(font, b"A", SIZES[4])[0, 0] = 9
+
+
+def test_no_text():
+    assert segments(FONTS["TRIP"], b"", SIZES[4]).shape == (0, 4)
+    assert textwidth(FONTS["TRIP"], b"", SIZES[4]) == 0
+
+
+# W = 10, H = 9 at size 4
+@pytest.mark.parametrize("horiz, across, up", [(0, 0, 9), (1, -5, 4), (2, -10, 0)])
+@pytest.mark.parametrize("vert, down, along", [(2, 9, 10), (1, 4, 5), (0, 0, 0)])
+def test_anchors(horiz, across, up, vert, down, along):
+    font = font_of([], widths=[10])
+    assert anchor(font, b"A", SIZES[4], False, horiz, vert) == (across, down)
+    assert anchor(font, b"A", SIZES[4], True, horiz, vert) == (up, along)
+
+
+# The check values of Borland's fonts
+
+WIDTHS = {  # raw, and at sizes 1, 5 and 10
+    "TRIP": (195, 117, 260, 780),
+    "LITT": (69, 41, 92, 276),
+    "SANS": (188, 112, 250, 752),
+    "GOTH": (179, 107, 238, 716),
+    "SCRI": (183, 109, 244, 732),
+    "SIMP": (158, 94, 210, 632),
+    "TSCR": (198, 118, 264, 792),
+    "LCOM": (224, 134, 298, 896),
+    "EURO": (296, 177, 394, 1184),
+    "BOLD": (322, 193, 429, 1288),
+}
+ADVANCES = {"TRIP": 113, "LITT": 36, "SANS": 107, "GOTH": 102, "SCRI": 103}
+METRICS = {  # characters, the first; the text's top and bottom; height of E and x, depth of q
+    "TRIP": (223, 32, 24, -7, 21, 14, -7),
+    "LITT": (223, 32, 7, -2, 6, 4, -2),
+    "SANS": (254, 1, 25, -7, 21, 14, -7),
+    "GOTH": (223, 32, 25, -7, 21, 14, -7),
+    "SCRI": (223, 32, 25, -12, 21, 9, -12),
+    "SIMP": (223, 32, 28, -7, 21, 14, -7),
+    "TSCR": (223, 32, 24, -7, 21, 14, -7),
+    "LCOM": (223, 32, 28, -7, 21, 14, -7),
+    "EURO": (223, 32, 45, -10, 42, 30, -10),
+    "BOLD": (224, 32, 53, -7, 40, 30, -7),
+}
+HEIGHTS = {
+    "TRIP": [18, 20, 23, 31, 41, 51, 62, 77, 93, 124],
+    "LITT": [5, 6, 6, 9, 12, 15, 18, 22, 27, 36],
+    "SANS": [19, 21, 24, 32, 42, 53, 64, 80, 96, 128],
+    "GOTH": [19, 21, 24, 32, 42, 53, 64, 80, 96, 128],
+    "SCRI": [22, 24, 27, 37, 49, 61, 74, 92, 111, 148],
+    "SIMP": [21, 23, 26, 35, 46, 58, 70, 87, 105, 140],
+    "TSCR": [18, 20, 23, 31, 41, 51, 62, 77, 93, 124],
+    "LCOM": [21, 23, 26, 35, 46, 58, 70, 87, 105, 140],
+    "EURO": [33, 36, 41, 55, 73, 91, 110, 137, 165, 220],
+    "BOLD": [36, 40, 45, 60, 80, 100, 120, 150, 180, 240],
+}
+
+
+@named
+def test_textwidth(name):
+    found = [textwidth(FONTS[name], HELLO, SIZES[size]) for size in (4, 1, 5, 10)]
+    assert tuple(found) == WIDTHS[name]
+
+
+@pytest.mark.parametrize("name", ADVANCES)
+def test_drawn_text_is_narrower_than_its_width(name):
+    """The pen advances by truncated widths: found from where the next character begins."""
+    begin = segments(FONTS[name], b"|", SIZES[1])
+    both = segments(FONTS[name], HELLO + b"|", SIZES[1])
+    assert both[-1, 0] - begin[-1, 0] == ADVANCES[name]
+
+
+@named
+def test_textheight(name):
+    assert [textheight(FONTS[name], SIZES[size]) for size in range(1, 11)] == HEIGHTS[name]
+
+
+@named
+def test_metrics(name):
+    font = FONTS[name]
+    rows = [[y for _, _, y in font.operations(ord(letter))] for letter in "Exq"]
+    letters = max(rows[0]), max(rows[1]), min(rows[2])
+    assert (len(font.widths), font.first, font.cap, font.dec, *letters) == METRICS[name]
+    assert min(rows[0]) == min(rows[1]) == 0
+    assert font.name == name
+
+
+@named
+def test_every_shipped_character(name):
+    font = FONTS[name]
+    blank = {0, 32, 255}
+    for code in range(font.first, font.first + len(font.widths)):
+        assert font.width(code) > 0
+        assert bool(font.operations(code)) == (code not in blank), code
+    assert font.width(0) == 0 and font.operations(0) == ()
+
+
+@named
+def test_shipped_boxes_join(name):
+    """Lines of box characters reach from edge to edge, whatever the size."""
+    font = FONTS[name]
+    for size in SIZES.values():
+        level = segments(font, b"\xc4\xc4", size)
+        reach = sum(textwidth(font, b"\xc4", size) for _ in range(2))
+        assert level[:, [0, 2]].min() == 0 and level[:, [0, 2]].max() == reach
+        upright = segments(font, b"\xb3", size)
+        assert np.ptp(upright[:, [1, 3]]) >= textheight(font, size) - 1
+
+
+@named
+def test_shipped_files_are_what_the_generator_makes(name):
+    pytest.importorskip("HersheyFonts", reason="needs the package Hershey-Fonts")
+    pytest.importorskip("shapely", reason="needs the package shapely")
+    from tools.make_fonts import DATA, made
+
+    assert made(name) == (DATA / f"{name}.CHR").read_bytes()
+
+
+@named
+def test_round_trip(name):
+    assert vars(parse(encode(FONTS[name]))) == vars(FONTS[name])

@@ -1,0 +1,149 @@
+"""Palette and colours: indices stay, looks change."""
+
+import pytest
+
+import bgi
+from bgi.graphics import current
+
+
+def look(index):
+    """What a colour index looks like: (r, g, b)."""
+    return tuple(current.screen.card.palette[index].tolist())
+
+
+@pytest.fixture(autouse=True)
+def _vga():
+    bgi.initgraph()
+
+
+def test_default_palette():
+    assert bgi.getpalette().size == 16
+    assert bgi.getpalette().colors == [0, 1, 2, 3, 4, 5, 20, 7, *range(56, 64)]
+    assert look(bgi.BROWN) == (0xAA, 0x55, 0)
+    assert look(bgi.DARKGRAY) == (0x55, 0x55, 0x55)
+    assert look(bgi.LIGHTCYAN) == (0x55, 0xFF, 0xFF)
+
+
+def test_ega_values():
+    """The check values of the hardware: bits r g b R G B."""
+    for value, rgb in {20: 0xAA5500, 38: 0xFFAA00, 9: 0x0000FF, 56: 0x555555}.items():
+        bgi.setpalette(3, value)
+        assert look(3) == (rgb >> 16, rgb >> 8 & 255, rgb & 255)
+
+
+def test_200_line_modes_show_the_same_colours():
+    rgb = [look(i) for i in range(16)]
+    bgi.setgraphmode(bgi.VGALO)
+    assert bgi.getpalette().colors == [*range(8), *range(16, 24)]
+    assert [look(i) for i in range(16)] == rgb
+
+
+def test_setbkcolor_recolours_and_redraws_nothing():
+    bgi.putpixel(1, 1, 4)
+    bgi.setbkcolor(bgi.BLUE)
+    assert look(0) == (0, 0, 0xAA)
+    assert (bgi.getpixel(0, 0), bgi.getpixel(1, 1), bgi.getbkcolor()) == (0, 4, 1)
+    bgi.cleardevice()
+    assert bgi.getpixel(1, 1) == 0
+    bgi.setbkcolor(0)
+    assert look(0) == (0, 0, 0)
+
+
+def test_setpalette_refuses():
+    before = bgi.getpalette()
+    for index, color in [(16, 1), (-1, 1), (1, 64), (1, -1), (10**30, 1)]:
+        bgi.setpalette(index, color)
+        assert bgi.graphresult() == bgi.grError
+    assert bgi.getpalette() == before
+
+
+def test_setallpalette():
+    bgi.setallpalette([-1, 20, -1, 63])
+    assert bgi.getpalette().colors[:5] == [0, 20, 2, 63, 4]
+    saved = bgi.getpalette()
+    bgi.setallpalette([1, 2, 99])
+    assert bgi.graphresult() == bgi.grError
+    assert bgi.getpalette() == saved
+    bgi.setpalette(1, 5)
+    bgi.setallpalette(saved)
+    assert bgi.getpalette() == saved
+    bgi.setallpalette([0] * 17)
+    assert bgi.graphresult() == bgi.grError
+
+
+def test_setrgbpalette_loads_registers_not_colours():
+    bgi.setrgbpalette(8, 63, 0, 0)
+    assert look(8) == (0x55, 0x55, 0x55)
+    bgi.setrgbpalette(56, 63, 0, 0)
+    assert look(8) == (255, 0, 0)
+    assert bgi.getpalette().colors[8] == 56
+    bgi.setrgbpalette(20, 21, 42, 64 + 63)
+    assert look(6) == (0x55, 0xAA, 0xFF)
+    bgi.setrgbpalette(256, 0, 0, 0)
+    assert bgi.graphresult() == bgi.grError
+
+
+def test_setrgbpalette_takes_arrays():
+    bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
+    bgi.setrgbpalette(range(100, 103), [0, 252, 4], 0, 128)
+    assert [look(i) for i in (100, 101, 102)] == [(0, 0, 130), (255, 0, 130), (4, 0, 130)]
+    bgi.setrgbpalette([1, 300], 252, 252, 252)
+    assert bgi.graphresult() == bgi.grError
+    assert look(1) == (255, 255, 255)
+
+
+def test_no_dac_on_the_ega():
+    bgi.initgraph(bgi.EGA, bgi.EGAHI)
+    bgi.setrgbpalette(1, 63, 63, 63)
+    assert bgi.graphresult() == bgi.grError
+    assert look(1) == (0, 0, 0xAA)
+
+
+def test_cga():
+    bgi.initgraph(bgi.CGA, bgi.CGAC0)
+    assert [look(i) for i in (1, 2, 3)] == [(85, 255, 85), (255, 85, 85), (255, 255, 85)]
+    assert bgi.getpalette().size == 1
+    bgi.setbkcolor(bgi.BLUE)
+    assert look(0) == (0, 0, 0xAA)
+    bgi.setpalette(0, bgi.RED)
+    assert look(0) == (0xAA, 0, 0)
+    bgi.setpalette(1, 1)
+    assert bgi.graphresult() == bgi.grError
+    bgi.setcolor(15)
+    assert bgi.getcolor() == 3
+
+
+def test_cga_in_two_colours_colours_the_foreground():
+    bgi.initgraph(bgi.CGA, bgi.CGAHI)
+    assert look(1) == (255, 255, 255)
+    bgi.setbkcolor(bgi.GREEN)
+    assert (look(0), look(1)) == ((0, 0, 0), (0, 0xAA, 0))
+    bgi.setbkcolor(0)
+    assert look(1) == (0, 0xAA, 0)
+
+
+def test_ibm8514():
+    bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
+    assert bgi.getpalette().size == 256
+    assert (bgi.getcolor(), look(255)) == (255, (255, 255, 255))
+    assert [look(i) for i in (1, 6, 15)] == [(0, 0, 170), (170, 85, 0), (255, 255, 255)]
+    assert (look(16), look(31), look(32), look(40)) == (
+        (0, 0, 0),
+        (255, 255, 255),
+        (0, 0, 255),
+        (255, 0, 0),
+    )
+    bgi.setrgbpalette(200, 252, 128, 4)
+    assert look(200) == (255, 130, 4)
+    bgi.setpalette(1, 2)
+    assert bgi.graphresult() == bgi.grError
+    bgi.setbkcolor(200)
+    assert look(0) == look(200)
+    bgi.graphdefaults()
+    assert look(0) == (0, 0, 0)
+
+
+def test_setcolor_keeps_the_low_bits():
+    for color, kept in [(15, 15), (16, 0), (31, 15), (-1, 15), (2**40 + 3, 3)]:
+        bgi.setcolor(color)
+        assert bgi.getcolor() == kept

@@ -1,0 +1,218 @@
+"""Opening, changing and closing graphics; errors; pages; time and keys."""
+
+import inspect
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import bgi
+from bgi import constants
+from bgi.graphics import current
+from bgi.kernel.modes import MODES
+
+
+def test_initgraph_detects_vga():
+    assert bgi.detectgraph() == (bgi.VGA, bgi.VGAHI)
+    assert bgi.initgraph() == (bgi.VGA, bgi.VGAHI)
+    assert bgi.initgraph(bgi.DETECT, 99, "C:\\TC\\BGI") == (bgi.VGA, bgi.VGAHI)
+    assert (bgi.getmaxx(), bgi.getmaxy(), bgi.getmaxcolor()) == (639, 479, 15)
+    assert bgi.graphresult() == bgi.grOk
+
+
+@pytest.mark.parametrize("mode", MODES, ids=lambda m: f"{m.driver}-{m.number}")
+def test_every_mode_opens_and_draws(mode):
+    assert bgi.initgraph(mode.driver, mode.number) == (mode.driver, mode.number)
+    assert (bgi.getmaxx() + 1, bgi.getmaxy() + 1) == (mode.width, mode.height)
+    assert bgi.getmaxcolor() == bgi.getcolor() == mode.colors - 1
+    bgi.line(0, 0, bgi.getmaxx(), bgi.getmaxy())
+    assert bgi.getpixel(0, 0) == bgi.getpixel(bgi.getmaxx(), bgi.getmaxy()) == mode.colors - 1
+    bgi.setactivepage(1)
+    assert bgi.getpixel(0, 0) == 0
+    shown = [tuple(rgb) for rgb in current.screen.card.palette[: mode.colors].tolist()]
+    assert shown[0] == (0, 0, 0)
+    if mode.colors <= 16:
+        assert len(set(shown)) == mode.colors
+
+
+def test_modes_agree_with_the_constants():
+    """Every mode constant of graphics.h names a row of the table."""
+    prefix = {
+        "CGA": bgi.CGA,
+        "MCGA": bgi.MCGA,
+        "EGA": bgi.EGA,
+        "EGA64": bgi.EGA64,
+        "EGAMONO": bgi.EGAMONO,
+        "HERCMONO": bgi.HERCMONO,
+        "ATT400": bgi.ATT400,
+        "VGA": bgi.VGA,
+        "PC3270": bgi.PC3270,
+        "IBM8514": bgi.IBM8514,
+    }
+    suffixes = ["C0", "C1", "C2", "C3", "LO", "MED", "HI"]
+    named = {
+        (number, getattr(constants, driver + suffix))
+        for driver, number in prefix.items()
+        for suffix in suffixes
+        if hasattr(constants, driver + suffix)
+    }
+    assert named == {(mode.driver, mode.number) for mode in MODES}
+
+
+@pytest.mark.parametrize(
+    "gd, gm, answer, code",
+    [
+        (bgi.VGA, 3, (bgi.VGA, 3), bgi.grInvalidMode),
+        (bgi.VGA, -1, (bgi.VGA, -1), bgi.grInvalidMode),
+        (99, 0, (bgi.grInvalidDriver, 0), bgi.grInvalidDriver),
+        (-7, 0, (bgi.grInvalidDriver, 0), bgi.grInvalidDriver),
+    ],
+)
+def test_impossible_modes(gd, gm, answer, code):
+    assert bgi.initgraph(gd, gm) == answer
+    assert bgi.graphresult() == code
+    with pytest.raises(bgi.BGIError, match="not initialized"):
+        bgi.line(0, 0, 1, 1)
+
+
+def test_initgraph_with_wrong_types():
+    for arguments in [("VGA",), (bgi.VGA, None), (bgi.VGA, 2, 7), (float("nan"),)]:
+        with pytest.raises((TypeError, ValueError), match="must be"):
+            bgi.initgraph(*arguments)
+
+
+def test_initgraph_again_starts_anew_in_the_same_window():
+    bgi.initgraph()
+    monitor = current.screen.monitor
+    bgi.setviewport(10, 10, 20, 20, 1)
+    bgi.cleardevice()
+    bgi.putpixel(1, 1, 5)
+    bgi.initgraph(bgi.VGA, bgi.VGAMED)
+    assert current.screen.monitor is monitor
+    assert bgi.getmaxy() == 349
+    assert not current.screen.page.array.any()
+
+
+def test_setgraphmode():
+    bgi.initgraph()
+    bgi.setcolor(3)
+    bgi.putpixel(1, 1, 5)
+    bgi.setgraphmode(7)
+    assert bgi.graphresult() == bgi.grInvalidMode
+    assert (bgi.getpixel(1, 1), bgi.getcolor()) == (5, 3)
+    bgi.setgraphmode(bgi.VGALO)
+    assert (bgi.getmaxy(), bgi.getpixel(1, 1), bgi.getcolor()) == (199, 0, 15)
+
+
+def test_restorecrtmode_and_back():
+    bgi.initgraph()
+    bgi.putpixel(1, 1, 5)
+    bgi.restorecrtmode()
+    with pytest.raises(bgi.BGIError, match="BGI Error: Not in graphics mode"):
+        bgi.putpixel(1, 1, 5)
+    bgi.setgraphmode(bgi.VGAHI)
+    assert bgi.getpixel(1, 1) == 0
+    bgi.restorecrtmode()
+    assert bgi.initgraph(bgi.EGA, bgi.EGAHI) == (bgi.EGA, bgi.EGAHI)
+    bgi.closegraph()
+    bgi.closegraph()
+
+
+def test_error_messages_are_borlands():
+    assert bgi.grapherrormsg(bgi.grOk) == "No error"
+    assert bgi.grapherrormsg(bgi.grNoInitGraph) == "(BGI) graphics not installed"
+    assert bgi.grapherrormsg(bgi.grInvalidMode) == "Invalid graphics mode for selected driver"
+    assert bgi.grapherrormsg(-99) == "Graphics error (-99)"
+    assert bgi.graphresult() == 0
+
+
+def test_graphdefaults_keeps_the_picture():
+    bgi.initgraph()
+    bgi.setcolor(3)
+    bgi.setpalette(1, 20)
+    bgi.setviewport(5, 5, 50, 50, 1)
+    bgi.putpixel(0, 0, 7)
+    bgi.graphdefaults()
+    assert (bgi.getcolor(), bgi.getpixel(5, 5), bgi.getpalette().colors[1]) == (15, 7, 1)
+
+
+def test_pages():
+    bgi.initgraph()
+    card = current.screen.card
+    bgi.putpixel(3, 3, 4)
+    bgi.swapbuffers()
+    assert card.visible == 0
+    assert bgi.getpixel(3, 3) == 0
+    bgi.putpixel(3, 3, 9)
+    bgi.swapbuffers()
+    assert card.visible == 1
+    assert bgi.getpixel(3, 3) == 4
+    bgi.setvisualpage(0)
+    assert card.visible == 0
+    bgi.setactivepage(1)
+    assert bgi.getpixel(3, 3) == 9
+    for unknown in (-1, 2, 10**20):
+        bgi.setactivepage(unknown)
+        bgi.setvisualpage(unknown)
+    assert (card.visible, bgi.getpixel(3, 3)) == (0, 9)
+
+
+def test_the_viewport_holds_on_every_page():
+    bgi.initgraph()
+    bgi.setviewport(10, 10, 20, 20, 1)
+    bgi.setactivepage(1)
+    bgi.bar(-100, -100, 100, 100)
+    assert current.screen.page.array.sum() == 11 * 11 * 15
+
+
+def test_keys_and_time(monkeypatch):
+    monkeypatch.setenv("BGI_KEYS", "a Up Esc")
+    bgi.initgraph()
+    assert bgi.kbhit() == 1
+    assert [bgi.getch() for _ in range(3)] == [97, 0, 72]
+    assert bgi.kbhit() == 1
+    assert bgi.getch() == 27
+    assert bgi.kbhit() == 0
+    with pytest.raises(bgi.BGIError, match="BGI_KEYS"):
+        bgi.getch()
+    bgi.delay(1e9)
+    for wrong in (-1, float("nan"), float("inf"), "soon", None):
+        with pytest.raises((TypeError, ValueError)):
+            bgi.delay(wrong)
+
+
+def test_delay_works_without_graphics():
+    bgi.delay(1)
+
+
+def test_the_prompt_needs_no_main_guard():
+    """A plain script, star import and all, runs and ends silently."""
+    script = "from bgi import *; initgraph(); circle(320, 240, 100); print(getpixel(420, 240))"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert (done.stdout, done.stderr, done.returncode) == ("15\n", "", 0)
+
+
+def test_writeimagefile(tmp_path):
+    from tests.pictures import read_indices
+
+    bgi.initgraph()
+    bgi.setrgbpalette(20, 1, 2, 3)
+    bgi.putpixel(np.arange(16), 0, np.arange(16))
+    bgi.writeimagefile(tmp_path / "all.png")
+    bgi.writeimagefile(str(tmp_path / "part.png"), 0, 0, 15, 0)
+    assert (read_indices(tmp_path / "all.png") == current.screen.page.array).all()
+    assert read_indices(tmp_path / "part.png").tolist() == [list(range(16))]
+    bgi.writeimagefile(tmp_path / "edge.png", -5, 470, 10**9, 10**9)
+    assert read_indices(tmp_path / "edge.png").shape == (10, 640)
+    with pytest.raises(ValueError, match="nothing of"):
+        bgi.writeimagefile(tmp_path / "none.png", 700, 0, 800, 10)
+    with pytest.raises(OSError):
+        bgi.writeimagefile(tmp_path / "no" / "folder.png")
+    (tmp_path / "shut").mkdir()
+    assert not (tmp_path / "none.png").exists()
+
+
+def test_signatures_are_those_of_the_manual():
+    names = list(inspect.signature(bgi.initgraph).parameters)
+    assert names == ["gd", "gm", "path"]

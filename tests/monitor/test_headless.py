@@ -1,0 +1,138 @@
+"""The monitor without a screen, and the choice between the monitors."""
+
+import warnings
+from pathlib import Path
+
+import pytest
+
+import bgi.monitor
+from bgi.errors import BGIError
+from bgi.memory.card import Card
+from bgi.memory.sdl import warn_of_twins
+from bgi.monitor import Headless, Monitor, choose
+
+
+def test_headless_keeps_the_contract() -> None:
+    monitor: Monitor = Headless("")
+    monitor.show()
+    monitor.set_title("a title")
+    monitor.close()
+    monitor.close()
+    assert not monitor.key_waiting()
+
+
+def test_it_counts_pictures_and_milliseconds() -> None:
+    monitor = Headless("")
+    monitor.show()
+    monitor.show()
+    monitor.sleep(1500)
+    monitor.sleep(0.5)
+    monitor.sleep(-3)
+    assert (monitor.shown, round(monitor.now, 3)) == (2, 1533.833)
+
+
+def test_it_plays_scripted_keys() -> None:
+    monitor = Headless("1 Left " + 100 * "x ")
+    assert monitor.key_waiting()
+    assert [monitor.read_key() for _ in range(3)] == [ord("1"), 0, 75]
+    assert [monitor.read_key() for _ in range(100)] == [ord("x")] * 100
+    assert not monitor.key_waiting()
+
+
+def test_at_the_end_of_the_script_it_says_what_to_do() -> None:
+    monitor = Headless("q")
+    monitor.read_key()
+    for _ in range(2):
+        with pytest.raises(BGIError, match=r"no window .* no scripted key is left.* BGI_KEYS"):
+            monitor.read_key()
+
+
+def test_keys_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BGI_KEYS", "w Esc")
+    monitor = Headless()
+    assert [monitor.read_key(), monitor.read_key()] == [ord("w"), 27]
+    monkeypatch.setenv("BGI_KEYS", "w Escape")
+    with pytest.raises(ValueError, match="'Escape' is no key"):
+        Headless()
+
+
+def test_none_is_silent(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("BGI_MONITOR", "none")
+    monitor = choose(Card(), "my plot")
+    assert isinstance(monitor, Headless)
+    assert monitor.title == "my plot"
+    assert capsys.readouterr() == ("", "")
+
+
+def test_another_monitor_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BGI_MONITOR", "vga")
+    with pytest.raises(ValueError, match="BGI_MONITOR is 'vga'; it may be 'window' or 'none'"):
+        choose(Card())
+
+
+def test_without_a_display_one_line_says_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.platform", "linux")
+    for name in ("BGI_MONITOR", "DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.delenv(name, raising=False)
+    bgi.monitor._say_that_there_is_no_window.cache_clear()
+    assert isinstance(choose(Card()), Headless)
+    assert isinstance(choose(Card()), Headless)
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    for word in ("no display", "without a window", "DISPLAY", "ssh -X", "BGI_MONITOR=none"):
+        assert word in err
+
+
+@pytest.mark.parametrize(
+    ("platform", "variable"),
+    [
+        ("linux", "DISPLAY"),
+        ("linux", "WAYLAND_DISPLAY"),
+        ("linux", "SDL_VIDEODRIVER"),
+        ("win32", "ANYTHING"),
+        ("darwin", "ANYTHING"),
+    ],
+)
+def test_with_a_display_there_is_a_window(
+    monkeypatch: pytest.MonkeyPatch, platform: str, variable: str
+) -> None:
+    for name in ("BGI_MONITOR", "DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv(variable, "something")
+    opened = []
+    monkeypatch.setattr(bgi.monitor, "Window", lambda *arguments: opened.append(arguments[1]))
+    card = Card()
+    monkeypatch.setattr("sys.platform", platform)
+    choose(card, "a plot")
+    assert opened == ["a plot"]
+
+
+@pytest.mark.parametrize(
+    "installed",
+    [
+        [],
+        ["pygame-2.6.1.dist-info"],
+        ["pygame_ce-2.5.8.dist-info"],
+        ["pygame_ce-2.5.8.dist-info", "pygame"],
+    ],
+)
+def test_one_pygame_is_no_news(tmp_path: Path, installed: list[str]) -> None:
+    for name in installed:
+        (tmp_path / name).mkdir()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warn_of_twins(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["pygame-2.6.1.dist-info", "pygame-2.1.2.egg-info"])
+def test_two_of_them_are(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).mkdir()
+    (tmp_path / "pygame_ce-2.5.8.dist-info").mkdir()
+    with pytest.warns(RuntimeWarning, match="both installed .* type: pip uninstall") as caught:
+        warn_of_twins(tmp_path)
+    assert len(caught) == 1
+    assert "\n" not in str(caught[0].message)

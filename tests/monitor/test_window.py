@@ -1,0 +1,411 @@
+"""The window as a real process: what it shows, what it says, and how it is lost.
+
+SDL's dummy driver takes the place of the screen.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bgi.monitor
+from bgi.errors import BGIError
+from bgi.memory.card import Card
+from bgi.monitor import Headless, Monitor, Window, choose
+from bgi.monitor.idling import REST_SECONDS, Idling
+from bgi.monitor.protocol import decode, encode, receive
+from bgi.monitor.speaker import LOUDNESS, RATE
+from tests.processes import LOSSES, gone, memory_of, shared_memory, wait_until
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="uses POSIX signals")
+
+
+@pytest.fixture(autouse=True)
+def shared_memory_stays_clean() -> Iterator[None]:
+    before = shared_memory()
+    yield
+    assert shared_memory() <= before
+
+
+@pytest.fixture
+def card() -> Card:
+    card = Card()
+    card.set_mode(320, 200, 2)
+    return card
+
+
+@pytest.fixture
+def errors() -> list[BGIError]:
+    """What on_lost was told."""
+    return []
+
+
+@pytest.fixture
+def window(card: Card, errors: list[BGIError]) -> Iterator[Window]:
+    window = Window(card, "a test", errors.append)
+    yield window
+    window.close()
+    assert gone(window._process.pid)
+
+
+# The protocol
+
+
+@pytest.mark.parametrize("text", ["plain", "", "two\nlines", "ünï ✓ \\n", " blanks ", "\ud800"])
+def test_any_text_crosses_as_one_line(text: str) -> None:
+    line = encode("title", text)
+    assert line.endswith(b"\n")
+    assert line.count(b"\n") == 1
+    assert decode(line[:-1]) == ("title", text)
+
+
+def test_messages_are_put_together_again() -> None:
+    reader, writer = os.pipe()
+    for piece in (b"sho", b"wn 3 4\nkey 0 72\nclo", b"sed\nunfinished"):
+        os.write(writer, piece)
+    os.close(writer)
+    assert list(receive(reader)) == [("shown", "3 4"), ("key", "0 72"), ("closed", "")]
+    os.close(reader)
+
+
+def test_garbage_is_a_word_nobody_knows() -> None:
+    assert decode(b"\xff\\x") == decode(b"\xff\\x")
+    assert encode("shown", 3, 4) == b"shown 3 4\n"
+
+
+# Pictures
+
+
+def test_show_presents_only_what_has_changed(card: Card, window: Window) -> None:
+    def presents() -> int:
+        window.show()
+        return window.presents
+
+    start = presents()
+    assert [presents() for _ in range(3)] == [start] * 3
+    card.page(0)[100] = 3
+    assert presents() == start + 1
+    card.page(1)[100] = 3  # hidden
+    card.touch()
+    assert presents() == start + 1
+    card.visible = 1  # the same picture
+    assert presents() == start + 1
+    card.page(1)[7] = 3
+    assert presents() == start + 2
+    card.palette[3] = 1, 2, 3
+    assert presents() == start + 3
+    card.set_mode(640, 350, 2)
+    assert presents() == start + 4
+
+
+def test_a_damaged_header_is_survived(card: Card, window: Window) -> None:
+    for offset in (12, 16, 20, 28):
+        card._set(offset, 0xFFFFFFFF)
+        window.show()
+    card.set_mode(640, 480, 2)
+    before = window.presents
+    window.show()
+    assert window.presents == before + 1
+
+
+def test_any_title_will_do(window: Window) -> None:
+    for title in ("", "two\nlines", "nul\0", "✓ 😀", "\ud800", "x" * 3000):
+        window.set_title(title)
+    window.show()
+
+
+def test_sleep_waits(window: Window) -> None:
+    start = time.monotonic()
+    window.sleep(30)
+    window.sleep(0)
+    window.sleep(-5)
+    assert time.monotonic() - start >= 0.03
+
+
+# The end of a window
+
+
+def lose(window: Window, how: signal.Signals) -> None:
+    os.kill(window._process.pid, how)
+
+
+@pytest.mark.parametrize(("how", "kind", "text"), LOSSES)
+def test_after_the_window_every_call_raises(
+    window: Window, errors: list[BGIError], how: signal.Signals, kind: type[BGIError], text: str
+) -> None:
+    lose(window, how)
+    wait_until(lambda: bool(errors))
+    calls: list[Callable[[], object]] = [
+        window.show,
+        window.key_waiting,
+        window.read_key,
+        lambda: window.sleep(1),
+        lambda: window.set_title("x"),
+    ]
+    for call in calls:
+        with pytest.raises(kind) as caught:
+            call()
+        assert str(caught.value) == text
+    window.close()
+    window.close()
+    assert [str(error) for error in errors] == [text]
+
+
+def test_show_is_woken_when_the_window_dies(window: Window) -> None:
+    os.kill(window._process.pid, signal.SIGSTOP)
+    killer = subprocess.Popen(["sh", "-c", f"sleep 0.2; kill -9 {window._process.pid}"])
+    with pytest.raises(BGIError, match="ended unexpectedly"):
+        window.show()
+    killer.wait()
+
+
+def test_on_lost_may_close(card: Card) -> None:
+    lost: list[BGIError] = []
+
+    def close(error: BGIError) -> None:
+        fragile.close()
+        lost.append(error)
+
+    fragile = Window(card, on_lost=close)
+    lose(fragile, signal.SIGTERM)
+    wait_until(lambda: bool(lost))
+    assert gone(fragile._process.pid)
+
+
+def test_the_program_may_close_the_window(window: Window, errors: list[BGIError]) -> None:
+    window.close()
+    assert gone(window._process.pid)
+    with pytest.raises(BGIError, match="closed by the program"):
+        window.show()
+    window.close()
+    assert errors == []
+
+
+def test_a_hanging_window_is_killed(window: Window) -> None:
+    os.kill(window._process.pid, signal.SIGSTOP)
+    window.close()
+    assert gone(window._process.pid)
+
+
+def test_files_named_like_modules_do_not_disturb_the_window(
+    card: Card, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("random.py", "numpy.py", "signal.py"):
+        (tmp_path / name).write_text("raise SystemExit('the wrong module')")
+    monkeypatch.chdir(tmp_path)
+    window = Window(card)
+    window.show()
+    window.close()
+
+
+# Many of them, and for long
+
+
+def test_ten_windows_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    cards = [Card() for _ in range(10)]
+    opening = []
+    windows: list[Window] = []
+    for card in cards:
+        card.set_mode(320, 200, 2)
+        opening.append(threading.Thread(target=lambda card=card: windows.append(Window(card))))
+        opening[-1].start()
+    for thread in opening:
+        thread.join()
+    for window in windows:
+        window.show()
+    assert len({window._process.pid for window in windows}) == 10
+    os.kill(windows[3]._process.pid, signal.SIGKILL)
+    wait_until(lambda: gone(windows[3]._process.pid))
+    for window in windows[:3] + windows[4:]:
+        window.show()
+    for window in windows:
+        window.close()
+        assert gone(window._process.pid)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_two_thousand_flips_leave_nothing_behind(
+    card: Card, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("BGI_RATE", "100000")
+    window = Window(card)
+
+    def flip(times: int) -> None:
+        for number in range(times):
+            card.page(number % 2)[number % 64000] += 1
+            card.visible = number % 2
+            window.show()
+
+    def state() -> tuple[int, int, int, int]:
+        pids = os.getpid(), window._process.pid
+        files = [len(os.listdir(f"/proc/{pid}/fd")) for pid in pids]
+        return *files, *map(memory_of, pids)
+
+    flip(200)
+    files, child_files, memory, child_memory = state()
+    flip(2000)
+    after = state()
+    assert after[:2] == (files, child_files)
+    assert after[2] - memory < 2000  # kilobytes
+    assert after[3] - child_memory < 2000
+    assert window.presents > 2000
+    window.close()
+
+
+def test_windows_killed_again_and_again(card: Card) -> None:
+    for _ in range(8):
+        window = Window(card)
+        lose(window, signal.SIGKILL)
+        with pytest.raises(BGIError, match="ended unexpectedly"):
+            while True:
+                window.show()
+        window.close()
+        assert gone(window._process.pid)
+
+
+# Sound
+
+
+def test_the_samples_that_are_played(
+    card: Card, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    file = tmp_path / "samples"
+    monkeypatch.setenv("SDL_AUDIODRIVER", "disk")
+    monkeypatch.setenv("SDL_DISKAUDIOFILE", str(file))
+    window = Window(card)
+    window.sleep(50)
+    assert not file.exists()  # opened by the first sound
+    for hertz in (440, 880, 0):
+        window.sound(hertz)
+        window.sleep(300)
+    window.close()
+    samples = np.fromfile(file, "<i2")
+    assert set(samples.tolist()) == {-LOUDNESS, 0, LOUDNESS}
+    played = np.flatnonzero(samples)
+    assert np.ptp(played) + 1 == len(played)  # no gap
+    ends = np.flatnonzero(np.diff(samples[played]))
+    halves = np.diff(ends)  # samples from one flip of the membrane to the next
+    for hertz in (440, 880):
+        expected = RATE / hertz / 2
+        near = abs(halves - expected) <= 1
+        assert near.sum() > 2 * hertz * 0.1  # for a tenth of a second at least
+    assert halves.max() <= RATE / 440 / 2 + 1
+
+
+def test_no_sound_card_is_silence(
+    card: Card, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("SDL_AUDIODRIVER", "nonsense")
+    window = Window(card)
+    window.sound(440)
+    window.sound(0)
+    window.show()
+    window.close()
+    assert capfd.readouterr() == ("", "")
+
+
+# A loop around kbhit()
+
+
+class Loop:
+    """A program that asks for keys on and on, by a clock of its own."""
+
+    def __init__(self, card: Card, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 100.0
+        monkeypatch.setattr("bgi.monitor.idling.time.perf_counter", lambda: self.now)
+        self._idling = Idling(card)
+
+    def rests(self, questions: int, seconds: float, work: Callable[[int], object]) -> int:
+        """How often it may rest while it asks so often, doing some work that takes so long."""
+        rests = 0
+        for number in range(questions):
+            work(number)
+            self.now += seconds
+            rest = self._idling.asked_in_vain()
+            rests += rest
+            self.now += REST_SECONDS * rest
+        return rests
+
+
+def test_a_loop_that_only_asks_for_keys_rests(card: Card, monkeypatch: pytest.MonkeyPatch) -> None:
+    loop = Loop(card, monkeypatch)
+    page = card.page(0)
+
+    def draw(number: int) -> None:
+        page[number % 64000] ^= 1
+
+    assert loop.rests(10_000, 1e-6, draw) == 0
+    assert loop.rests(20_000, 1e-5, lambda number: None) == 0  # it computes
+    assert loop.rests(3_000, 1e-6, lambda number: None) > 10
+    assert loop.rests(10_000, 1e-6, draw) <= 1  # until it is noticed
+    assert loop.rests(3_000, 1e-6, lambda number: card.touch()) <= 1
+
+
+def test_a_key_ends_a_rest_at_once(window: Window, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("bgi.monitor.window.REST_SECONDS", 1000)
+    typist = threading.Timer(0.1, window.keys.put, [b"k"])
+    typist.start()
+    while not window.key_waiting():
+        pass
+    typist.join()
+
+
+# No window
+
+
+def test_no_window_is_one_clear_line(card: Card, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BGI_MONITOR", "window")
+    monkeypatch.setenv("SDL_VIDEODRIVER", "nonsense")
+    with pytest.raises(BGIError, match=r"^no window: nonsense not available$"):
+        choose(card)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs X11")
+@pytest.mark.parametrize(
+    ("driver", "display", "reason"),
+    [
+        ("", ":4711", "no window: the display ':4711' cannot be opened"),
+        ("nonsense", "", "no window: nonsense not available"),
+    ],
+)
+def test_where_no_window_can_be_the_program_goes_on(
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+    card: Card,
+    driver: str,
+    display: str,
+    reason: str,
+) -> None:
+    for name in ("BGI_MONITOR", "SDL_VIDEODRIVER", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("DISPLAY", display)
+    if driver:
+        monkeypatch.setenv("SDL_VIDEODRIVER", driver)
+    bgi.monitor._say_that_there_is_no_window.cache_clear()
+    assert isinstance(choose(card), Headless)
+    assert isinstance(choose(card), Headless)
+    out, err = capfd.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert err.startswith(f"bgi: {reason}; drawing goes on without a window")
+
+
+def test_a_python_that_is_not_there(card: Card, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/nowhere/python")
+    with pytest.raises(BGIError, match=r"no window: its process could not be started: .*nowhere"):
+        Window(card)
+
+
+def test_choose_opens_a_window(card: Card, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BGI_MONITOR", "window")
+    monitor: Monitor = choose(card, "chosen")
+    assert isinstance(monitor, Window)
+    monitor.show()
+    assert not monitor.key_waiting()
+    monitor.close()
