@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
+from bgi.kernel.state import KERNEL
 from bgi.monitor.keyboard import bios_code
 
 CLK_TCK = CLOCKS_PER_SEC = 18.2
@@ -120,10 +121,9 @@ def nosound() -> None:
     current.screen.monitor.sound(0)
 
 
-# Chance: Borland's generator
+# Chance: Borland's linear congruential generator, which multiplies and adds; its upper bits count
 
-
-_seed = 1
+_MULTIPLIER = 0x015A4E35
 
 
 def srand(seed: Number) -> None:
@@ -131,8 +131,7 @@ def srand(seed: Number) -> None:
 
     Source: stdlib.h.
     """
-    global _seed
-    _seed = whole("seed", seed) & 0xFFFF
+    KERNEL.seed = whole("seed", seed) & 0xFFFF
 
 
 def rand() -> int:
@@ -140,9 +139,8 @@ def rand() -> int:
 
     Without srand() or randomize() always the same, number for number Borland's. Source: stdlib.h.
     """
-    global _seed
-    _seed = (_seed * 0x015A4E35 + 1) & 0xFFFFFFFF
-    return _seed >> 16 & 0x7FFF
+    KERNEL.seed = (KERNEL.seed * _MULTIPLIER + 1) & 0xFFFFFFFF
+    return KERNEL.seed >> 16 & RAND_MAX
 
 
 def random(num: Number) -> int:

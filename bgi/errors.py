@@ -1,14 +1,11 @@
-"""What goes wrong, in two kinds.
+"""The exceptions of the package.
 
-What Borland answered with a code is a code here too: `result` holds the one sticky number that
-`graphresult()` hands out and clears. What Borland's library could only have crashed, hung or ended
-the program on raises a `BGIError`.
+What Borland answered with a code is a code here too: `graphresult()` hands it out. A `BGIError` is
+raised where Borland's library could only have crashed, hung or ended the program.
 """
 
 import sys
 from types import TracebackType
-
-from bgi.constants import ERROR_MESSAGES, grOk
 
 
 class BGIError(RuntimeError):
@@ -38,29 +35,3 @@ def say_in_one_line() -> None:
             before(kind, error, traceback)
 
     sys.excepthook = hook
-
-
-class Result:
-    """The kernel's one error code: set by whatever fails, cleared by being read."""
-
-    def __init__(self) -> None:
-        self.code = grOk
-        self.file = ""
-
-    def set(self, code: int, file: str = "") -> None:
-        """Remember `code` until somebody asks, and for its message the file it is about."""
-        self.code = code
-        self.file = file or self.file
-
-    def take(self) -> int:
-        """Return the code and clear it, as graphresult() does."""
-        code, self.code = self.code, grOk
-        return code
-
-
-result = Result()
-
-
-def message(code: int) -> str:
-    """Borland's sentence for an error code; an unknown code is quoted in it."""
-    return ERROR_MESSAGES.get(code, f"Graphics error ({code})").format(file=result.file)

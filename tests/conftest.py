@@ -11,18 +11,18 @@ from collections.abc import Callable, Iterator
 import pytest
 
 import bgi
-from bgi.errors import result
 from bgi.graphics import Graphics
 from bgi.kernel.modes import find
+from bgi.kernel.state import KERNEL
 
 
 @pytest.fixture(autouse=True)
 def _fresh() -> Iterator[None]:
-    """Begin and end each test without a screen and without an error code."""
-    result.take()
+    """Begin each test with a fresh kernel and without a screen, and end it so."""
+    KERNEL.reset()
     yield
     bgi.closegraph()
-    result.take()
+    KERNEL.reset()
 
 
 @pytest.fixture

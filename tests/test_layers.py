@@ -30,6 +30,7 @@ LAYERS = [
     "bgi.memory",
     "bgi.fonts.",
     "bgi.settings",
+    "bgi.kernel.drivers",
     "bgi.kernel.state",
     "bgi.kernel",
     "bgi.monitor.keyboard",

@@ -10,11 +10,10 @@ from bgi.constants import (
     grInvalidMode,
     grOk,
 )
-from bgi.errors import message, result
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
-from bgi.kernel.modes import DRIVER_NAMES
-from bgi.kernel.state import DRIVERS, FONTS, Detect
+from bgi.kernel.drivers import Detect
+from bgi.kernel.state import KERNEL
 
 
 def detectgraph() -> tuple[int, int]:
@@ -42,19 +41,19 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     if not isinstance(path, str):
         raise TypeError(f"path must be a str, not {type(path).__name__}: {path!r:.60}")
     if driver == DETECT:
-        driver, number = DRIVERS.autodetect() or detectgraph()
-    mode = DRIVERS.find(driver, number)
+        driver, number = KERNEL.drivers.autodetect() or detectgraph()
+    mode = KERNEL.drivers.find(driver, number)
     if mode is not None:
         current.open_screen(mode)
         current.screen.path = path
-        result.set(grOk)
+        KERNEL.result.set(grOk)
         return driver, number
-    if DRIVERS.mode_range(driver) != (-1, -1):
-        result.set(grInvalidMode)
+    if KERNEL.drivers.mode_range(driver) != (-1, -1):
+        KERNEL.result.set(grInvalidMode)
         return driver, number
-    name = DRIVERS.name(driver)
+    name = KERNEL.drivers.name(driver)
     failure = grInvalidDriver if name is None else grFileNotFound
-    result.set(failure, f"{name}.BGI")
+    KERNEL.result.set(failure, f"{name}.BGI")
     return failure, number
 
 
@@ -77,9 +76,9 @@ def setgraphmode(mode: Number) -> None:
     leads back from restorecrtmode(). Source: graphics.h.
     """
     number = whole("mode", mode)
-    wanted = DRIVERS.find(current.reachable().mode.driver, number)
+    wanted = KERNEL.drivers.find(current.reachable().mode.driver, number)
     if wanted is None:
-        result.set(grInvalidMode)
+        KERNEL.result.set(grInvalidMode)
     else:
         current.open_screen(wanted)
 
@@ -134,9 +133,9 @@ def getmoderange(driver: Number) -> tuple[int, int]:
     number = whole("driver", driver)
     if number == CURRENT_DRIVER:
         number = current.reachable().mode.driver
-    found = DRIVERS.mode_range(number)
+    found = KERNEL.drivers.mode_range(number)
     if found == (-1, -1):
-        result.set(grInvalidDriver)
+        KERNEL.result.set(grInvalidDriver)
     return found
 
 
@@ -154,7 +153,7 @@ def graphresult() -> int:
 
     Ask once and keep the answer: the second question is answered with 0. Source: graphics.h.
     """
-    return result.take()
+    return KERNEL.result.take()
 
 
 def grapherrormsg(code: Number) -> str:
@@ -165,7 +164,7 @@ def grapherrormsg(code: Number) -> str:
 
     An unknown code gives "Graphics error (code)". Leaves the error code alone. Source: graphics.h.
     """
-    return message(whole("code", code))
+    return KERNEL.result.message(whole("code", code))
 
 
 def installuserdriver(name: str, detect: Detect | None = None) -> int:
@@ -181,9 +180,9 @@ def installuserdriver(name: str, detect: Detect | None = None) -> int:
     """
     if not isinstance(name, str):
         raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
-    number = DRIVERS.install(name.upper().removesuffix(".BGI"), detect)
+    number = KERNEL.drivers.install(name.upper().removesuffix(".BGI"), detect)
     if number < 0:
-        result.set(number)
+        KERNEL.result.set(number)
     return number
 
 
@@ -196,17 +195,12 @@ def registerbgidriver(driver: str | bytes) -> int:
     Returns the number of its first driver, or -4 (and graphresult() says so) if it is none of
     Borland's. Source: graphics.h.
     """
-    name = driver
-    if isinstance(driver, bytes):
-        start = driver.find(b"(") if driver[:4] == b"pk\x08\x08" else -1
-        name = driver[start + 1 : start + 9].split(b")")[0].decode("latin-1")
-    elif not isinstance(driver, str):
+    if not isinstance(driver, (str, bytes)):
         raise TypeError(f"driver must be a str or bytes, not {type(driver).__name__}")
-    for number, known in DRIVER_NAMES.items():
-        if name == known:
-            return number
-    result.set(grInvalidDriver)
-    return grInvalidDriver
+    number = KERNEL.drivers.register(driver)
+    if number < 0:
+        KERNEL.result.set(number)
+    return number
 
 
 def registerfarbgidriver(driver: str | bytes) -> int:
@@ -225,9 +219,9 @@ def installuserfont(name: str) -> int:
     """
     if not isinstance(name, str):
         raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
-    number = FONTS.install(name)
+    number = KERNEL.fonts.install(name)
     if number < 0:
-        result.set(number)
+        KERNEL.result.set(number)
     return number
 
 
@@ -240,9 +234,9 @@ def registerbgifont(font: str | bytes) -> int:
     Returns its number for settextstyle(); -13 if it is no font, -11 when the table is full, and
     graphresult() says so too. Source: graphics.h.
     """
-    number = FONTS.install(font) if isinstance(font, str) else FONTS.register(font)
+    number = KERNEL.fonts.install(font) if isinstance(font, str) else KERNEL.fonts.register(font)
     if number < 0:
-        result.set(number)
+        KERNEL.result.set(number)
     return number
 
 
@@ -251,17 +245,13 @@ def registerfarbgifont(font: str | bytes) -> int:
     return registerbgifont(font)
 
 
-_bufsize = 4096
-
-
 def setgraphbufsize(size: Number) -> int:
     """Set the size of the buffer for filling and return the one before, at first 4096.
 
     Args:
         size: bytes, 0..65535. Nothing here runs out of it. Source: graphics.h.
     """
-    global _bufsize
-    before, _bufsize = _bufsize, whole("size", size) & 0xFFFF
+    before, KERNEL.bufsize = KERNEL.bufsize, whole("size", size) & 0xFFFF
     return before
 
 

@@ -1,10 +1,10 @@
 """Windows of any size and colours of any mixture: the names that WinBGIm added to graphics.h."""
 
 from bgi.constants import ALL_WINDOWS, grOk
-from bgi.errors import result
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.modes import window
+from bgi.kernel.state import KERNEL
 from bgi.memory import rgb
 from bgi.memory.card import LARGEST
 from bgi.memory.palette import SIXTEEN
@@ -43,7 +43,7 @@ def initwindow(
     number = current.open_window(window(*size), title)
     if dbflag:
         current.screen.setactivepage(1)
-    result.set(grOk)
+    KERNEL.result.set(grOk)
     return number
 
 

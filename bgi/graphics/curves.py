@@ -1,9 +1,9 @@
 """Circles, ellipses, arcs, pies."""
 
 from bgi.constants import grError
-from bgi.errors import result
 from bgi.graphics.filling import Fills
 from bgi.kernel.arguments import Number, Numbers, whole
+from bgi.kernel.state import KERNEL
 from bgi.raster import ellipses as curves
 from bgi.raster import lines, polygons
 from bgi.raster.patterns import SOLID_MASK
@@ -17,7 +17,7 @@ class Curves(Fills):
         """Set the aspect ratio of circles; -11 unless yasp is greater than 0 and xasp not less."""
         ratio = whole("xasp", xasp), whole("yasp", yasp)
         if ratio[0] < 0 or ratio[1] <= 0:
-            result.set(grError)
+            KERNEL.result.set(grError)
         else:
             self.aspect = ratio
 

@@ -6,9 +6,9 @@ from typing import Any
 from numpy.typing import NDArray
 
 from bgi.constants import COPY_PUT, NOT_PUT, grError
-from bgi.errors import result
 from bgi.graphics.screen import Screen
 from bgi.kernel.arguments import Number, whole
+from bgi.kernel.state import KERNEL
 from bgi.memory.image import LARGEST, Image, byte_size
 from bgi.memory.imagefile import load, nearest, png, save_png, tagged
 
@@ -28,7 +28,7 @@ class Images(Screen):
         height = abs(whole("bottom", bottom) - whole("top", top)) + 1
         size = byte_size(width, height, self.mode.colors)
         if size >= 0xFFFF:
-            result.set(grError)
+            KERNEL.result.set(grError)
             return 0xFFFF
         return size
 
@@ -59,7 +59,7 @@ class Images(Screen):
         if COPY_PUT <= operator <= NOT_PUT:
             self.page.combine(x + self._dx, y + self._dy, image.array, operator, self._mask)
         else:
-            result.set(grError)
+            KERNEL.result.set(grError)
 
     def readimagefile(
         self,

@@ -16,10 +16,9 @@ from bgi.constants import (
     USERBIT_LINE,
     grError,
 )
-from bgi.errors import result
 from bgi.kernel.arguments import Number, Numbers, broadcast, whole
 from bgi.kernel.modes import YASP, GraphicsMode
-from bgi.kernel.state import DRIVERS
+from bgi.kernel.state import KERNEL
 from bgi.memory import rgb
 from bgi.memory.card import Card
 from bgi.memory.page import Page
@@ -100,7 +99,7 @@ class Screen:
         right, bottom = whole("right", right), whole("bottom", bottom)
         clip = whole("clip", clip)
         if not (0 <= left <= right < self.mode.width and 0 <= top <= bottom < self.mode.height):
-            result.set(grError)
+            KERNEL.result.set(grError)
             return
         self.settings.view = viewporttype(left, top, right, bottom, clip)
         self.settings.x = self.settings.y = 0
@@ -202,14 +201,14 @@ class Screen:
     def setpalette(self, index: Number, color: Number) -> None:
         """Give a palette entry a hardware colour; -11 where the adapter cannot."""
         if not self.palette.set(whole("index", index), whole("color", color)):
-            result.set(grError)
+            KERNEL.result.set(grError)
 
     def setallpalette(self, palette: palettetype | Sequence[Number]) -> None:
         """Set the first entries of the palette, -1 leaving one; -11 and nothing if any is bad."""
         given = palette.colors[: palette.size] if isinstance(palette, palettetype) else palette
         colors = [whole(f"palette[{i}]", color) for i, color in enumerate(given)]
         if not self.palette.set_all({i: c for i, c in enumerate(colors) if c != -1}):
-            result.set(grError)
+            KERNEL.result.set(grError)
 
     def getpalette(self) -> palettetype:
         """The hardware colours of the palette."""
@@ -221,7 +220,7 @@ class Screen:
         registers, *components = (array.tolist() for array in numbers)
         colors = list(zip(*components, strict=True))
         if not self.palette.set_rgb(registers, colors):
-            result.set(grError)
+            KERNEL.result.set(grError)
 
     # Styles
 
@@ -231,7 +230,7 @@ class Screen:
         thickness = whole("width", width)
         known = SOLID_LINE <= number <= USERBIT_LINE and thickness in (NORM_WIDTH, THICK_WIDTH)
         if not known:
-            result.set(grError)
+            KERNEL.result.set(grError)
             return
         if number != USERBIT_LINE:
             bits = LINE_PATTERNS[number]
@@ -262,7 +261,7 @@ class Screen:
         """
         number, index = whole("pattern", pattern), whole("color", color)
         if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self._mask):
-            result.set(grError)
+            KERNEL.result.set(grError)
             return
         self.settings.fill = fillsettingstype(number, index)
         user = number == USER_FILL
@@ -273,7 +272,7 @@ class Screen:
         rows = _eight_rows(pattern)
         index = whole("color", color)
         if not 0 <= index <= self._mask:
-            result.set(grError)
+            KERNEL.result.set(grError)
             return
         self.settings.fill = fillsettingstype(USER_FILL, index)
         self.settings.fill_rows = self.settings.user_rows = rows
@@ -294,16 +293,16 @@ class Screen:
 
     def getmaxmode(self) -> int:
         """The largest mode number of the driver."""
-        return DRIVERS.mode_range(self.mode.driver)[1]
+        return KERNEL.drivers.mode_range(self.mode.driver)[1]
 
     def getmodename(self, mode: Number) -> str | None:
         """The driver's name for one of its modes, None for an unknown one."""
-        found = DRIVERS.find(self.mode.driver, whole("mode", mode))
+        found = KERNEL.drivers.find(self.mode.driver, whole("mode", mode))
         return None if found is None else found.name
 
     def getdrivername(self) -> str:
         """The name of the driver's file."""
-        return DRIVERS.name(self.mode.driver) or ""
+        return KERNEL.drivers.name(self.mode.driver) or ""
 
 
 def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:

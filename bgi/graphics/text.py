@@ -15,14 +15,13 @@ from bgi.constants import (
     VERT_DIR,
     grError,
 )
-from bgi.errors import result
 from bgi.fonts import bitmap, layout
 from bgi.fonts.chr import FontError, StrokedFont
 from bgi.fonts.codepage import encode
 from bgi.fonts.layout import Scale
 from bgi.graphics.drawing import Lines
 from bgi.kernel.arguments import Number, whole
-from bgi.kernel.state import FONTS
+from bgi.kernel.state import KERNEL
 from bgi.memory.page import FAR
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
@@ -46,9 +45,9 @@ class Text(Lines):
         self._font: StrokedFont | None = None
         if number != DEFAULT_FONT:
             try:
-                self._font = FONTS.load(number, self.path)
+                self._font = KERNEL.fonts.load(number, self.path)
             except FontError as error:
-                result.set(error.code, error.file)
+                KERNEL.result.set(error.code, error.file)
                 number = DEFAULT_FONT
         style = self.settings.text
         self.settings.text = textsettingstype(
@@ -65,7 +64,7 @@ class Text(Lines):
         if LEFT_TEXT <= across <= RIGHT_TEXT and LEFT_TEXT <= down <= TOP_TEXT:
             self.settings.text.horiz, self.settings.text.vert = across, down
         else:
-            result.set(grError)
+            KERNEL.result.set(grError)
 
     def setusercharsize(self, multx: Number, divx: Number, multy: Number, divy: Number) -> None:
         """Stretch stroked fonts freely, at once; -11 for a divisor of 0, or beyond 16 bits."""
@@ -73,7 +72,7 @@ class Text(Lines):
             whole("multx", multx), whole("divx", divx), whole("multy", multy), whole("divy", divy)
         )
         if scale.dx == 0 or scale.dy == 0 or max(map(abs, scale)) > LARGEST_FACTOR:
-            result.set(grError)
+            KERNEL.result.set(grError)
             return
         self.settings.user_scale = scale
         self.settings.text.charsize = USER_CHAR_SIZE

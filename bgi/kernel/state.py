@@ -1,68 +1,51 @@
-"""What the kernel keeps beyond any screen: its tables of drivers and fonts.
+"""What the kernel keeps beyond any screen, in one object: all screens share it.
 
-closegraph() leaves them alone, and all screens share them.
+closegraph() leaves it alone. It is always reached through `KERNEL`, as in `KERNEL.fonts`, so that
+`KERNEL.reset()` makes all of it new: a test begins with that.
 """
 
-from collections.abc import Callable
-from dataclasses import replace
-
-from bgi.constants import PC3270, grError
+from bgi.constants import ERROR_MESSAGES, grOk
 from bgi.fonts.table import FontTable
-from bgi.kernel import modes
-from bgi.kernel.modes import GraphicsMode
-
-Detect = Callable[[], int]
+from bgi.kernel.drivers import DriverTable
 
 
-class DriverTable:
-    """The drivers of graphics.h, and up to ten that installuserdriver() adds, from number 11 on.
-
-    Of those only SVGA256 brings modes: the driver that gave Borland's programs 256 colours.
-    """
-
-    MOST = 10
+class Result:
+    """The kernel's one error code: set by whatever fails, cleared by being read."""
 
     def __init__(self) -> None:
-        self._installed: list[tuple[str, Detect | None]] = []
+        self._code = grOk
+        self._file = ""
 
-    def install(self, name: str, detect: Detect | None) -> int:
-        """Add a driver; its number, the one it has if it is there already, or -11 when full."""
-        names = [known for known, _ in self._installed]
-        if name in names:
-            self._installed[names.index(name)] = name, detect
-            return PC3270 + 1 + names.index(name)
-        if len(names) == self.MOST:
-            return grError
-        self._installed.append((name, detect))
-        return PC3270 + len(self._installed)
+    def set(self, code: int, file: str = "") -> None:
+        """Remember `code` until somebody asks, and for its message the file it is about."""
+        self._code = code
+        self._file = file or self._file
 
-    def name(self, driver: int) -> str | None:
-        """The name of a driver's file, None for an unknown number."""
-        if 0 <= driver - PC3270 - 1 < len(self._installed):
-            return self._installed[driver - PC3270 - 1][0]
-        return modes.DRIVER_NAMES.get(driver)
+    def take(self) -> int:
+        """Return the code and clear it, as graphresult() does."""
+        code, self._code = self._code, grOk
+        return code
 
-    def find(self, driver: int, number: int) -> GraphicsMode | None:
-        """The mode with that number of that driver, or None."""
-        if driver <= PC3270:
-            return modes.find(driver, number)
-        known = self.name(driver) == "SVGA256" and 0 <= number < len(modes.SVGA256)
-        return replace(modes.SVGA256[number], driver=driver) if known else None
-
-    def mode_range(self, driver: int) -> tuple[int, int]:
-        """The lowest and highest mode number of a driver; (-1, -1) without any."""
-        if driver <= PC3270:
-            return modes.mode_range(driver)
-        return (0, len(modes.SVGA256) - 1) if self.find(driver, 0) else (-1, -1)
-
-    def autodetect(self) -> tuple[int, int] | None:
-        """Ask the installed drivers, in order; the first that finds its adapter, and its mode."""
-        for place, (_, detect) in enumerate(self._installed):
-            mode = detect() if detect else -1
-            if mode >= 0:
-                return PC3270 + 1 + place, mode
-        return None
+    def message(self, code: int) -> str:
+        """Borland's sentence for an error code; an unknown code is quoted in it."""
+        return ERROR_MESSAGES.get(code, f"Graphics error ({code})").format(file=self._file)
 
 
-FONTS = FontTable()
-DRIVERS = DriverTable()
+class Kernel:
+    """The error code, the tables of fonts and drivers, and two numbers."""
+
+    def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Everything as it is when a program begins."""
+        self.result = Result()
+        self.fonts = FontTable()
+        self.drivers = DriverTable()
+        self.bufsize = 4096
+        """What setgraphbufsize() was given last, in bytes."""
+        self.seed = 1
+        """The state of Borland's random numbers: see `bgi.dos.rand`."""
+
+
+KERNEL = Kernel()

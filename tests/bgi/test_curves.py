@@ -2,7 +2,7 @@
 
 import pytest
 
-from bgi.errors import result
+from bgi.kernel.state import KERNEL
 from bgi.raster import ellipses as curves
 from bgi.settings import arccoordstype
 
@@ -121,7 +121,7 @@ def test_aspect_ratio(vga):
     assert vga.getaspectratio() == (5000, 10000)
     for bad in [(1, 0), (-1, 1), (1, -1)]:
         vga.setaspectratio(*bad)
-        assert result.take() == -11
+        assert KERNEL.result.take() == -11
     assert vga.getaspectratio() == (5000, 10000)
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from bgi.errors import result
+from bgi.kernel.state import KERNEL
 from tests.pictures import picture
 
 
@@ -219,7 +219,7 @@ def test_lines_and_current_position(vga):
 def test_setlinestyle_refuses(vga):
     for style, width in [(5, 1), (-1, 1), (0, 2), (0, 0)]:
         vga.setlinestyle(style, 0, width)
-        assert result.take() == -11
+        assert KERNEL.result.take() == -11
     vga.line(0, 0, 3, 0)
     assert len(points(vga)) == 4
 
@@ -227,7 +227,7 @@ def test_setlinestyle_refuses(vga):
 def test_setfillstyle_refuses(vga):
     for pattern, color in [(13, 1), (-1, 1), (1, 16), (1, -1)]:
         vga.setfillstyle(pattern, color)
-        assert result.take() == -11
+        assert KERNEL.result.take() == -11
     vga.bar(0, 0, 1, 1)
     assert vga.getpixel(0, 0) == 15
 
@@ -236,7 +236,7 @@ def test_setviewport_refuses(vga):
     vga.setviewport(10, 10, 20, 20, 1)
     for corners in [(-1, 0, 5, 5), (0, 0, 640, 5), (5, 0, 4, 5), (0, 9, 5, 8), (0, 0, 5, 480)]:
         vga.setviewport(*corners, 1)
-        assert result.take() == -11
+        assert KERNEL.result.take() == -11
     vga.putpixel(0, 0, 3)
     assert vga.page.get(10, 10) == 3
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import bgi
 from bgi import Image
-from bgi.errors import result
+from bgi.kernel.state import KERNEL
 from tests.pictures import read_indices
 
 
@@ -30,7 +30,7 @@ def test_imagesize(vga, corners, size):
 
 def test_imagesize_of_64k(vga):
     assert vga.imagesize(0, 0, 639, 204) == 65535
-    assert result.take() == -11
+    assert KERNEL.result.take() == -11
     assert vga.getimage(0, 0, 639, 479).array.shape == (480, 640)
 
 
@@ -111,7 +111,7 @@ def test_operators(vga, op, shown):
 
 def test_an_unknown_operator(vga):
     vga.putimage(0, 0, vga.getimage(0, 0, 3, 3), 5)
-    assert result.take() == -11
+    assert KERNEL.result.take() == -11
 
 
 def test_xor_twice_restores(vga):

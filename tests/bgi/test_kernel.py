@@ -3,9 +3,7 @@
 import pytest
 
 import bgi
-from bgi.fonts.table import FontTable
-from bgi.kernel import state as kernel
-from bgi.kernel.state import DriverTable
+from bgi.kernel.state import KERNEL
 
 MANUAL = [
     "arc",
@@ -151,20 +149,6 @@ STRUCTURES = {
 }
 
 
-@pytest.fixture(autouse=True)
-def _fresh_tables(monkeypatch):
-    """Tables of this test only: they outlive closegraph()."""
-    import bgi.api.system
-    import bgi.graphics.screen
-    import bgi.graphics.text
-
-    drivers, fonts = DriverTable(), FontTable()
-    for module in (kernel, bgi.api.system, bgi.graphics.screen, bgi.graphics.text):
-        for name, table in (("DRIVERS", drivers), ("FONTS", fonts)):
-            if hasattr(module, name):
-                monkeypatch.setattr(module, name, table)
-
-
 def test_every_function_of_graphics_h_is_there():
     assert len(set(MANUAL)) == len(MANUAL)
     assert set(MANUAL) <= set(bgi.__all__)
@@ -188,6 +172,20 @@ def test_every_other_constant_of_graphics_h_is_there():
 def test_every_structure_of_graphics_h_is_there(name):
     assert list(getattr(bgi, name).__annotations__) == STRUCTURES[name].split()
     assert name in bgi.__all__
+
+
+def test_a_reset_makes_everything_new():
+    """What a test leaves in the kernel, the next one does not find."""
+    bgi.installuserdriver("D")
+    bgi.installuserfont("F")
+    bgi.setgraphbufsize(1)
+    bgi.dos.srand(7)
+    KERNEL.result.set(bgi.grError)
+    KERNEL.reset()
+    assert bgi.graphresult() == 0
+    assert bgi.installuserdriver("E") == bgi.installuserfont("G") == 11
+    assert bgi.setgraphbufsize(1) == 4096
+    assert bgi.dos.rand() == 346
 
 
 def test_queries_of_the_mode():
