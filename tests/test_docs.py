@@ -2,20 +2,20 @@
 
 import inspect
 import re
-import runpy
 from pathlib import Path
 
 import pytest
 
 import bgi
+import demos
 from bgi.memory.sdl import pygame
+from tools import pictures
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
-MAKER = runpy.run_path(str(DOCS / "make_pictures.py"))
-PAGES = MAKER["pages"]()
+PAGES = pictures.pages()
 TEXTS = [page.read_text("utf-8") for page in sorted(DOCS.glob("*.md"))]
-BLOCKS = [(page.stem, code, picture) for page in PAGES for code, picture in MAKER["blocks"](page)]
+BLOCKS = [block for page in PAGES for block in pictures.blocks(page)]
 
 FUNCTIONS = sorted(name for name in bgi.__all__ if inspect.isfunction(getattr(bgi, name)))
 # The calls whose effect can be seen.
@@ -46,20 +46,32 @@ def look(file):
     return surface.get_size(), pygame.image.tobytes(surface, "RGB")
 
 
-def test_the_pictures_are_what_the_code_draws(tmp_path, monkeypatch):
-    monkeypatch.setenv("BGI_KEYS", "")  # main() sets its own: restored afterwards
-    names = MAKER["main"](tmp_path)
-    assert len(names) == len(set(names)) > 40
-    different = [n for n in names if look(tmp_path / n) != look(DOCS / "pictures" / n)]
-    assert not different, "run: python docs/make_pictures.py"
+def assert_drawn(names, folder):
+    """Fail unless pictures are those of the documentation, pixel for pixel."""
+    different = [n for n in names if look(folder / n) != look(pictures.PICTURES / n)]
+    assert not different, "run: python -m tools.pictures"
 
 
-@pytest.mark.parametrize(
-    ("page", "code"), [(page, code) for page, code, picture in BLOCKS if picture is None]
-)
-def test_code_without_a_picture_runs(monkeypatch, page, code):
-    monkeypatch.setenv("BGI_KEYS", "a Left Up Space")
-    MAKER["run"](code)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_the_code_of_a_page_runs_and_draws_its_pictures(tmp_path, monkeypatch, page):
+    monkeypatch.setenv("BGI_KEYS", pictures.KEYS)
+    assert_drawn(pictures.draw_page(page, tmp_path), tmp_path)
+
+
+@pytest.mark.parametrize("name", demos.NAMES)
+def test_the_picture_of_a_demo_is_what_it_draws(tmp_path, name):
+    assert_drawn(pictures.draw_demo(name, tmp_path), tmp_path)
+
+
+def test_every_picture_has_its_code():
+    drawn = [picture for _, picture in BLOCKS if picture] + [f"{name}.png" for name in demos.NAMES]
+    assert sorted(drawn) == sorted(file.name for file in pictures.PICTURES.iterdir())
+
+
+def test_every_picture_of_a_page_belongs_to_code():
+    for page in PAGES:
+        shown = re.findall(r"!\[[^]]*\]\(pictures/(.*?)\)", page.read_text("utf-8"))
+        assert shown == [picture for _, picture in pictures.blocks(page) if picture], page.name
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -70,7 +82,7 @@ def test_every_call_stands_in_the_table_of_one_page(name):
 
 @pytest.mark.parametrize("name", SHOWN.split())
 def test_every_call_that_can_be_seen_is_seen(name):
-    assert any(picture and re.search(rf"\b{name}\(", code) for _, code, picture in BLOCKS)
+    assert any(picture and re.search(rf"\b{name}\(", code) for code, picture in BLOCKS)
 
 
 @pytest.mark.parametrize("file", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=str)

@@ -1,1 +1,1 @@
-"""What made the files that ship with the library; the library itself never needs it."""
+"""What makes files that are committed: the documentation's pictures and pages, and the fonts."""

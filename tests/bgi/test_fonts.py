@@ -210,7 +210,7 @@ def test_shipped_boxes_join(name):
 def test_shipped_files_are_what_the_generator_makes(name):
     pytest.importorskip("HersheyFonts", reason="needs the package Hershey-Fonts")
     pytest.importorskip("shapely", reason="needs the package shapely")
-    from tools.make_fonts import DATA, made
+    from tools.fonts.make import DATA, made
 
     assert made(name) == (DATA / f"{name}.CHR").read_bytes()
 

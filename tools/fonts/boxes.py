@@ -6,7 +6,7 @@ of its two rails stops at the rail that it would otherwise cross.
 
 from typing import NamedTuple
 
-from tools.strokes import Glyph, Path
+from tools.fonts.strokes import Glyph, Path
 
 
 class Cell(NamedTuple):

@@ -12,9 +12,9 @@ digits are centred in their boxes, and squeezed if they are too wide.
 import importlib
 from typing import Any, NamedTuple
 
-from tools.cp437 import Face
-from tools.metrics import METRICS, WIDTHS
-from tools.strokes import Glyph, box, drawing, heavier, mapped, shifted, tidy
+from tools.fonts.cp437 import Face
+from tools.fonts.metrics import METRICS, WIDTHS
+from tools.fonts.strokes import Glyph, box, drawing, heavier, mapped, shifted, tidy
 
 _BASELINE = 9
 _DRAWN_FACES: dict[str, dict[str, Glyph]] = {}

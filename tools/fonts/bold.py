@@ -12,9 +12,9 @@ from shapely import LinearRing, LineString, Polygon, box, unary_union  # type: i
 from shapely.affinity import scale  # type: ignore[import-untyped]
 from shapely.geometry.base import BaseGeometry  # type: ignore[import-untyped]
 
-from tools.euro import rounded_drawing
-from tools.strokes import Glyph, Path, rounded, shifted
-from tools.strokes import box as ink_box
+from tools.fonts.euro import rounded_drawing
+from tools.fonts.strokes import Glyph, Path, rounded, shifted
+from tools.fonts.strokes import box as ink_box
 
 Real = tuple[float, float]
 Curve = list[Real]

@@ -4,7 +4,7 @@ Greek letters are here for the fonts without a Greek face. Codes are those of pa
 codes' pictures are for the one font that begins at code 1. A line indented continues the last.
 """
 
-from tools.strokes import Glyph, drawing
+from tools.fonts.strokes import Glyph, drawing
 
 _SIGNS = """
 127 0,0 0,9 7,16 14,9 14,0 0,0

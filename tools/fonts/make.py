@@ -1,7 +1,7 @@
 """Make the ten stroked fonts that ship with the library, `bgi/fonts/data/*.CHR`.
 
     pip install Hershey-Fonts==2.1.0 shapely
-    python -m tools.make_fonts [folder]
+    python -m tools.fonts.make [folder]
 
 Nothing here comes from a Borland file but the numbers in `metrics.py`: seven fonts are Hershey
 faces, EURO, BOLD and LITT were drawn for this project.
@@ -12,13 +12,13 @@ from pathlib import Path as File
 
 from bgi.fonts.chr import StrokedFont, encode
 from bgi.fonts.table import STANDARD
-from tools import bold, euro, hershey, litt
-from tools.cp437 import ACCENTS, SMALL_ACCENTS, Face, complete
-from tools.metrics import METRICS, WIDTHS
-from tools.strokes import operations, scaled
-from tools.symbols import SIGNS
+from tools.fonts import bold, euro, hershey, litt
+from tools.fonts.cp437 import ACCENTS, SMALL_ACCENTS, Face, complete
+from tools.fonts.metrics import METRICS, WIDTHS
+from tools.fonts.strokes import operations, scaled
+from tools.fonts.symbols import SIGNS
 
-DATA = File(__file__).parent.parent / "bgi" / "fonts" / "data"
+DATA = File(__file__).parents[2] / "bgi" / "fonts" / "data"
 _HERSHEY = "From the Hershey Fonts (A. V. Hershey, US NBS; J. Hurt)"
 _BOLD_RADIUS = 6  # the broad pen rounds a corner's outside by itself
 _OWN = "Drawn for bgi, a graphics.h for Python"

@@ -6,10 +6,10 @@ are signs, Greek letters and box drawing. A face holds what is needed for that.
 
 from dataclasses import dataclass, field
 
-from tools.boxes import Cell, boxes
-from tools.metrics import Metrics
-from tools.strokes import Glyph, box, drawing, heavier, scaled, shifted, tidy, turned
-from tools.symbols import CONTROL_PICTURES, HEIGHT, SIGNS, WIDTH
+from tools.fonts.boxes import Cell, boxes
+from tools.fonts.metrics import Metrics
+from tools.fonts.strokes import Glyph, box, drawing, heavier, scaled, shifted, tidy, turned
+from tools.fonts.symbols import CONTROL_PICTURES, HEIGHT, SIGNS, WIDTH
 
 ACCENTS = {
     "'": drawing("0,0 3,5"),

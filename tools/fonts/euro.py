@@ -7,7 +7,7 @@ path.
 
 import math
 
-from tools.strokes import Glyph, Path, mirrored, rounded
+from tools.fonts.strokes import Glyph, Path, mirrored, rounded
 
 RADIUS = 9
 _STEPS = 4  # lines in a rounded corner

@@ -4,7 +4,7 @@ One letter a line; a point is two characters, x and y, where `a` and `b` are -1 
 in 45 degrees where they turn, so that the font stays even when it is enlarged.
 """
 
-from tools.strokes import Glyph
+from tools.fonts.strokes import Glyph
 
 _HEIGHT = {"b": -2, "a": -1, **{str(n): n for n in range(10)}}
 

@@ -1,0 +1,109 @@
+"""Draw every picture of the documentation.
+
+    python -m tools.pictures [folder]
+
+A picture on a page belongs to the block of code just before it, and is what that block leaves on
+the screen: so a page cannot show what its code does not draw. A demo's picture is what its draw()
+leaves. tests/test_docs.py draws them all again and compares.
+"""
+
+import os
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bgi
+import demos
+from bgi.graphics import current
+
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
+PICTURES = DOCS / "pictures"
+KEYS = "a Left Up Space"  # what is pressed for each block that asks for keys
+LEAST_WIDTH, MARGIN = 400, 12
+
+# What a page says of its code, and so how its blocks are run.
+ON_A_SCREEN = "follows `from bgi import *` and `initgraph(VGA, VGAHI)`"
+IN_ORDER = "type them one after the other"
+
+_BLOCK = re.compile(
+    r"^```python\n(?P<code>.*?)^```\n"  # a block of code
+    r"(?:\n!\[[^]]*\]\(pictures/(?P<picture>[\w-]+\.png)\))?",  # and perhaps its picture
+    re.DOTALL | re.MULTILINE,
+)
+
+
+def pages() -> list[Path]:
+    """The pages that hold code."""
+    return [page for page in sorted(DOCS.glob("*.md")) if "```python" in page.read_text("utf-8")]
+
+
+def blocks(page: Path) -> Iterator[tuple[str, str | None]]:
+    """The blocks of code of a page, each with the name of its picture if it has one.
+
+    Empty lines stand before the code, so that an error names the line of the page.
+    """
+    text = page.read_text("utf-8")
+    for found in _BLOCK.finditer(text):
+        above = text.count("\n", 0, found.start("code"))
+        yield "\n" * above + found["code"], found["picture"]
+
+
+def draw_page(page: Path, folder: Path) -> list[str]:
+    """Run all code of a page and save the pictures it draws; returns their names.
+
+    Blocks begin anew with what the page says they follow, or go on from the block before.
+    """
+    text = page.read_text("utf-8")
+    names: dict[str, Any] = {}
+    drawn = []
+    for code, picture in blocks(page):
+        if IN_ORDER not in text:
+            bgi.closegraph()
+            names = {}
+        if ON_A_SCREEN in text:
+            names = {name: getattr(bgi, name) for name in bgi.__all__}
+            bgi.initgraph(bgi.VGA, bgi.VGAHI)
+        exec(compile(code, page, "exec"), names)
+        if picture is not None:
+            _save(folder / picture, whole=IN_ORDER in text)
+            drawn.append(picture)
+    bgi.closegraph()
+    return drawn
+
+
+def draw_demo(name: str, folder: Path) -> list[str]:
+    """Save a demo's picture; returns its name."""
+    demo = demos.load(name)
+    bgi.initgraph(*demo.MODE)
+    demo.draw()
+    _save(folder / f"{name}.png", whole=True)
+    bgi.closegraph()
+    return [f"{name}.png"]
+
+
+def _save(file: Path, whole: bool) -> None:
+    """Save the page that is shown: the whole of it, or as far as something is drawn."""
+    bgi.setactivepage(bgi.getvisualpage())
+    if whole:
+        bgi.writeimagefile(file)
+        return
+    down, across = np.nonzero(current.screen.page.array)
+    right = max(LEAST_WIDTH - 1, int(across.max()) + MARGIN)
+    bgi.writeimagefile(file, 0, 0, right, int(down.max()) + MARGIN)
+
+
+def main(folder: Path = PICTURES) -> None:
+    """Draw all pictures."""
+    os.environ.update(BGI_MONITOR="none", BGI_KEYS=KEYS)
+    drawn = [name for page in pages() for name in draw_page(page, folder)]
+    drawn += [name for demo in demos.NAMES for name in draw_demo(demo, folder)]
+    print(f"{len(drawn)} pictures")
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))
