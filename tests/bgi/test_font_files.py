@@ -10,7 +10,7 @@ from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontN
 from bgi.fonts.chr import MOST_BYTES, FontError, Operation, StrokedFont, encode, parse
 from bgi.fonts.layout import SIZES, segments
 from bgi.fonts.table import STANDARD, FontTable
-from tests.bgi.test_golden import GOLDEN
+from tests.cases import FONTS
 from tests.stroked import font_of
 
 # The format
@@ -141,7 +141,7 @@ def test_random_bytes(data):
     changes=st.lists(st.tuples(st.integers(0, 700), st.integers(0, 255)), max_size=6),
 )
 def test_mutations(cut, changes):
-    data = bytearray((GOLDEN / "fonts" / "TRIP.CHR").read_bytes()[:cut])
+    data = bytearray((FONTS / "TRIP.CHR").read_bytes()[:cut])
     for place, value in changes:
         if place < len(data):
             data[place] = value

@@ -6,10 +6,6 @@ import pytest
 from bgi.fonts.chr import encode, parse
 from bgi.fonts.layout import SIZES, Scale, anchor, segments, textheight, textwidth
 from bgi.fonts.table import STANDARD, FontTable
-from bgi.graphics import Graphics
-from bgi.kernel.modes import find
-from tests.bgi.test_golden import CASES, GOLDEN
-from tests.pictures import assert_same, read_indices
 from tests.stroked import font_of
 
 HELLO = b"Hello, World"
@@ -17,62 +13,7 @@ FONTS = {name: FontTable().load(number) for number, name in enumerate(STANDARD, 
 named = pytest.mark.parametrize("name", STANDARD)
 
 
-# The layout, against pictures
-
-
-class Writer:
-    """The text calls of a golden case, drawn as lines on a screen."""
-
-    def __init__(self, case):
-        self.screen = Graphics(find(case["driver"], case["gmode"]))
-        self.font = FontTable().load(1, GOLDEN / "fonts")
-        self.scale, self.vertical, self.justify = SIZES[1], False, (0, 2)
-
-    def settextstyle(self, font, direction, size):
-        assert font == 1
-        self.vertical = direction == 1
-        self.scale = SIZES.get(size, Scale(1, 1, 1, 1))
-
-    def setusercharsize(self, *factors):
-        self.scale = Scale(*factors)
-
-    def settextjustify(self, *justify):
-        self.justify = justify
-
-    def outtextxy(self, x, y, text):
-        text = text.encode()
-        dx, dy = anchor(self.font, text, self.scale, self.vertical, *self.justify)
-        lines = segments(self.font, text, self.scale, self.vertical)
-        x1, y1, x2, y2 = (lines + np.tile((x + dx, y + dy), 2)).T
-        self.screen.line(x1, y1, x2, y2)
-
-    def textwidth(self, text):
-        return textwidth(self.font, text.encode(), self.scale)
-
-    def textheight(self, text):
-        return textheight(self.font, self.scale)
-
-    def graphresult(self):
-        return 0
-
-
-# Of vertical text the model behind the pictures drew LEFT_TEXT with TOP_TEXT only.
-MODELLED = {"stroke_vertical": (0, 320, 199, 479)}
-STROKES = [case for case in CASES if case["group"] == "stroke"]
-
-
-@pytest.mark.parametrize("case", STROKES, ids=[case["name"] for case in STROKES])
-def test_golden_strokes(case):
-    writer = Writer(case)
-    answers = {}
-    for number, (name, *arguments) in enumerate(case["calls"]):
-        owner = writer if hasattr(writer, name) else writer.screen
-        answers[str(number)] = [getattr(owner, name)(*arguments)]
-    x0, y0, x1, y1 = MODELLED.get(case["name"], case["region"])
-    region = slice(y0, y1 + 1), slice(x0, x1 + 1)
-    expected = read_indices(GOLDEN / case["picture"])
-    assert_same(writer.screen.page.array[region], expected[region], f"{case['name']}_lines")
-    assert {n: answers[n] for n in case["results"]} == case["results"]
+# The layout (pictures of texts are among the cases of test_original)
 
 
 def test_strokes_by_hand():
