@@ -37,6 +37,7 @@ LAYERS = [
     "bgi.monitor.protocol",
     "bgi.monitor.",
     "bgi.graphics.screen",
+    "bgi.graphics.pen",
     "bgi.graphics.drawing",
     "bgi.graphics.filling",
     "bgi.graphics.curves",
@@ -150,6 +151,20 @@ def test_only_the_page_sets_pixels():
             text = path.read_text()
             assert not re.search(r"\.(flat|array)\[.*\] *[\^|&]?=[^=]", text), name
             assert "pygame.draw" not in text, name
+
+
+def test_a_name_of_a_module_or_class_stands_for_one_thing():
+    """But for the topics: `bgi.api.X` holds the functions whose methods `bgi.graphics.X` holds."""
+    topics = {path.stem for name, path in MODULES if name.startswith("bgi.graphics.")}
+    stems, classes = [], []
+    for name, path in MODULES:
+        if name.startswith("bgi.") and path.stem not in ("__init__", "__main__"):
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            classes += [node.name for node in tree.body if isinstance(node, ast.ClassDef)]
+            if not (name.startswith("bgi.api.") and path.stem in topics):
+                stems.append(path.stem)
+    for names in (stems, classes):
+        assert sorted(names) == sorted(set(names))
 
 
 def test_no_module_is_long():

@@ -1,4 +1,4 @@
-"""The screen: its size, viewport, pages, colours and palette."""
+"""The screen: its mode, size, viewport, pages, colours and palette."""
 
 from collections.abc import Sequence
 
@@ -223,3 +223,41 @@ def setrgbpalette(index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -
     graphics.h.
     """
     current.screen.setrgbpalette(index, red, green, blue)
+
+
+def getgraphmode() -> int:
+    """Return the number of the mode, for setgraphmode() to come back to it.
+
+    Works after restorecrtmode() too. Source: graphics.h.
+    """
+    return current.reachable().getgraphmode()
+
+
+def getmaxmode() -> int:
+    """Return the largest mode number of the driver in use: 2 for VGA. Source: graphics.h."""
+    return current.reachable().getmaxmode()
+
+
+def getmodename(mode: Number) -> str | None:
+    """Return the driver's name for one of its modes, such as "640 x 480 VGA".
+
+    Args:
+        mode: a mode number of the driver in use; None is returned for any other.
+
+    Source: graphics.h.
+    """
+    return current.reachable().getmodename(mode)
+
+
+def getdrivername() -> str:
+    """Return the name of the driver in use: "EGAVGA" for EGA and VGA. Source: graphics.h."""
+    return current.reachable().getdrivername()
+
+
+def graphdefaults() -> None:
+    """Put colours, styles, palette, viewport and current position back to their defaults.
+
+    Clears nothing; pages, aspect ratio, arc coordinates and the registers of the VGA's DAC, which
+    setrgbpalette() loads, stay. Source: graphics.h.
+    """
+    current.screen.graphdefaults()

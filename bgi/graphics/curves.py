@@ -1,16 +1,15 @@
 """Circles, ellipses, arcs, pies."""
 
 from bgi.constants import grError
-from bgi.graphics.filling import Fills
+from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, whole
 from bgi.kernel.state import KERNEL
-from bgi.raster import ellipses as curves
-from bgi.raster import lines, polygons
+from bgi.raster import ellipses, lines, polygons
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import arccoordstype
 
 
-class Curves(Fills):
+class Curves(Pen):
     """A screen to draw curves on."""
 
     def setaspectratio(self, xasp: Number, yasp: Number) -> None:
@@ -39,7 +38,7 @@ class Curves(Fills):
             if self._thick:
                 self._ellipse(x, y, 0, 360, radius, ry)
             else:
-                outline = curves.outline(0, 360, radius, ry, self.mode.width)
+                outline = ellipses.outline(0, 360, radius, ry, self.mode.width)
                 self.page.curve(x + self._dx, y + self._dy, outline, self.settings.color)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
@@ -110,18 +109,18 @@ class Curves(Fills):
         self._ellipse(x, y, start, end, rx, ry)
 
     def _record_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
-        (x1, y1), (x2, y2) = curves.point_at(start, rx, ry), curves.point_at(end, rx, ry)
+        (x1, y1), (x2, y2) = ellipses.point_at(start, rx, ry), ellipses.point_at(end, rx, ry)
         self._arc_coords = arccoordstype(x, y, x + x1, y + y1, x + x2, y + y2)
 
     def _ellipse(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """From angle to angle; a thin curve ignores line style and write mode."""
         x, y, color = x + self._dx, y + self._dy, self.settings.color
         if not self._thick:
-            self.page.curve(x, y, curves.outline(start, end, rx, ry, self.mode.width), color)
+            self.page.curve(x, y, ellipses.outline(start, end, rx, ry, self.mode.width), color)
             return
-        if not curves.drawable(rx, ry):
+        if not ellipses.drawable(rx, ry):
             return
-        corners = [(x + dx, y + dy) for dx, dy in curves.thick_points(start, end, rx, ry)]
+        corners = [(x + dx, y + dy) for dx, dy in ellipses.thick_points(start, end, rx, ry)]
         for side in polygons.edges(polygons.paths(corners)):
             for strand in lines.strands(*side):
                 if self._xor:
@@ -136,7 +135,7 @@ class Curves(Fills):
         self._each(self._fillellipse, x=x, y=y, xradius=xradius, yradius=yradius)
 
     def _fillellipse(self, x: int, y: int, rx: int, ry: int) -> None:
-        steps = curves.quadrant(rx, ry)
+        steps = ellipses.quadrant(rx, ry)
         self.page.fill_symmetric(
             x + self._dx, y + self._dy, steps, self.settings.fill.color, self.settings.fill_rows
         )
@@ -174,16 +173,16 @@ class Curves(Fills):
 
     def _sector(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Quadrant by quadrant: each piece's area, then its arc; the two radii at the end."""
-        if not curves.drawable(rx, ry):
+        if not ellipses.drawable(rx, ry):
             return
         start, end = sorted((start % 360, end if end == 360 else end % 360))
         self._record_arc(x, y, start, end, rx, ry)
         fill, color = self.settings.fill.color, self.settings.color
         cx, cy = x + self._dx, y + self._dy
-        for first, last in curves.quarters(start, end):
-            arc = [(cx + dx, cy + dy) for dx, dy in curves.arc(first, last, rx, ry)]
+        for first, last in ellipses.quarters(start, end):
+            arc = [(cx + dx, cy + dy) for dx, dy in ellipses.arc(first, last, rx, ry)]
             self._fill_area([*arc, (cx, cy)], fill)
             self._sides(polygons.edges(polygons.paths(arc)), color)
         for angle in (start, end):  # without an angle between them both radii are a dot
-            dx, dy = curves.point_at(angle, rx, ry) if start < end else (0, 0)
+            dx, dy = ellipses.point_at(angle, rx, ry) if start < end else (0, 0)
             self._segment(cx, cy, cx + dx, cy + dy, color)

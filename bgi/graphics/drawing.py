@@ -1,12 +1,12 @@
-"""Pixels, lines and outlines: the number path, the array path, and what both leave to the page."""
+"""Pixels, lines and outlines: the number path and the array path of each call."""
 
-from collections.abc import Callable
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.graphics.screen import Screen
+from bgi.constants import NORM_WIDTH, SOLID_LINE, THICK_WIDTH, USERBIT_LINE, grError
+from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import (
     Number,
     Numbers,
@@ -15,42 +15,39 @@ from bgi.kernel.arguments import (
     is_array,
     polygon_points,
     whole,
-    whole_array,
 )
-from bgi.raster import lines, polygons, spans
-from bgi.raster.lines import Segment, Segments
-from bgi.raster.polygons import Point
-
-FEW = 256
-"""So many lines are drawn one by one as fast as together."""
+from bgi.kernel.state import KERNEL
+from bgi.raster import polygons, spans
+from bgi.raster.patterns import LINE_PATTERNS
+from bgi.settings import linesettingstype
 
 
-class Lines(Screen):
+class Drawing(Pen):
     """A screen to set pixels and draw lines on."""
 
-    # Numbers or arrays
+    # The line style
 
-    def _each(
-        self, call: Callable[..., None], color: Numbers | None = None, **arguments: Numbers
-    ) -> None:
-        """Call with whole numbers: once, or for every element of the arrays among the arguments.
+    def setlinestyle(self, style: Number, pattern: Number, width: Number) -> None:
+        """Set line style, user pattern and width; -11 and no change if either is unknown."""
+        number, bits = whole("style", style), whole("pattern", pattern) & 0xFFFF
+        thickness = whole("width", width)
+        known = SOLID_LINE <= number <= USERBIT_LINE and thickness in (NORM_WIDTH, THICK_WIDTH)
+        if not known:
+            KERNEL.result.set(grError)
+            return
+        if number != USERBIT_LINE:
+            bits = LINE_PATTERNS[number]
+        self.settings.line = linesettingstype(number, bits, thickness)
+        self._use_line_settings()
 
-        A `color` becomes the drawing colour of its call only.
-        """
-        if color is not None:
-            arguments["color"] = color
-        if not any(is_array(value) for value in arguments.values()):
-            calls = [[whole(name, value) for name, value in arguments.items()]]
-        else:
-            calls = np.stack(broadcast(**arguments), axis=-1).tolist()
-        before = self.settings.color
-        try:
-            for numbers in calls:
-                if color is not None:
-                    self.settings.color = numbers.pop() & self._mask
-                call(*numbers)
-        finally:
-            self.settings.color = before
+    def getlinesettings(self) -> linesettingstype:
+        """Line style, its sixteen bits, thickness."""
+        return replace(self.settings.line)
+
+    def setwritemode(self, mode: Number) -> None:
+        """COPY_PUT or XOR_PUT for lines; only bit 0 counts, as in Borland's driver."""
+        self.settings.writemode = whole("mode", mode) & 1
+        self._use_line_settings()
 
     # Pixels
 
@@ -100,32 +97,6 @@ class Lines(Screen):
         else:
             self._each(self.line, x1=x1, y1=y1, x2=x2, y2=y2, color=color)
 
-    def _segment(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
-        """One line between absolute points, in line style, width and write mode."""
-        if self._plain:
-            self.page.line(x1, y1, x2, y2, color)
-            return
-        for strand in lines.strands(x1, y1, x2, y2) if self._thick else [(x1, y1, x2, y2)]:
-            if self._solid:
-                self.page.line(*strand, color)
-            else:
-                self.page.styled_line(strand, color, self._pattern, self._xor)
-
-    def _sides(self, sides: list[Segment], color: int) -> None:
-        """The lines of one figure; of a very large one few can be seen, and arrays find them."""
-        if len(sides) < FEW:
-            for side in sides:
-                self._segment(*side, color)
-        else:
-            x1, y1, x2, y2 = whole_array("sides", sides).T
-            self._segments((x1, y1, x2, y2), np.full(len(sides), color))
-
-    def _segments(self, segments: Segments, colors: NDArray[Any]) -> None:
-        """Many lines between absolute points, each in its colour."""
-        if self._thick:
-            segments, colors = lines.strands_many(segments), np.repeat(colors, 3)
-        self.page.lines(segments, colors, self._pattern, self._xor)
-
     def lineto(self, x: Number, y: Number) -> None:
         """Draw from the current position to x, y and go there."""
         x, y = whole("x", x), whole("y", y)
@@ -147,24 +118,17 @@ class Lines(Screen):
         color: Numbers | None = None,
     ) -> None:
         """Draw the outline of a box: four lines."""
-        if not (
+        if (
             type(left) is int
             and type(top) is int
             and type(right) is int
             and type(bottom) is int
             and color is None
         ):
-            self._each(self.rectangle, left=left, top=top, right=right, bottom=bottom, color=color)
-        elif self._plain:
-            x1, x2 = (left, right) if left <= right else (right, left)
-            y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
             dx, dy = self._dx, self._dy
-            self.page.outline(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self.settings.color)
+            self._box(left + dx, top + dy, right + dx, bottom + dy, self.settings.color)
         else:
-            self.line(left, top, right, top)
-            self.line(right, top, right, bottom)
-            self.line(right, bottom, left, bottom)
-            self.line(left, bottom, left, top)
+            self._each(self.rectangle, left=left, top=top, right=right, bottom=bottom, color=color)
 
     # Polygons
 
@@ -182,17 +146,3 @@ class Lines(Screen):
             owners, which = np.nonzero(real.T)
             x1, y1, x2, y2 = (end[which, owners] for end in sides)
             self._segments((x1, y1, x2, y2), colors[owners])
-
-    def _shifted(self, points: list[Point]) -> list[Point]:
-        dx, dy = self._origin
-        return [(x + dx, y + dy) for x, y in points] if dx or dy else points
-
-    def _one_color(self, name: str, value: Numbers | None, default: int) -> int:
-        return default if value is None else whole(name, value) & self._mask
-
-    def _colors(self, name: str, values: Numbers | None, default: int, count: int) -> NDArray[Any]:
-        """A colour for each of `count` shapes."""
-        array = whole_array(name, default if values is None else values) & self._mask
-        if array.ndim == 0 or array.shape == (count,):
-            return np.broadcast_to(array, count)
-        raise ValueError(f"{name} must be a number or {count} numbers, not of shape {array.shape}")

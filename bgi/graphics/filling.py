@@ -1,20 +1,58 @@
 """Filled boxes and polygons, and flood filling."""
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.graphics.drawing import FEW, Lines
-from bgi.kernel.arguments import BATCH, Numbers, polygon_points, whole_array
+from bgi.constants import EMPTY_FILL, USER_FILL, grError
+from bgi.graphics.pen import Pen
+from bgi.kernel.arguments import BATCH, Number, Numbers, polygon_points, whole
+from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
-from bgi.raster.patterns import EMPTY_ROWS
-from bgi.raster.polygons import Path, Point
-from bgi.raster.spans import NO_SPANS, Edges
+from bgi.raster.patterns import EMPTY_ROWS, FILL_PATTERNS
+from bgi.raster.polygons import Point
+from bgi.raster.spans import NO_SPANS
+from bgi.settings import fillsettingstype
 
 
-class Fills(Lines):
+class Filling(Pen):
     """A screen to fill shapes on."""
+
+    # The fill pattern
+
+    def setfillstyle(self, pattern: Number, color: Number) -> None:
+        """Set fill pattern and colour; -11 and no change if either is unknown.
+
+        USER_FILL selects the pattern last given to setfillpattern().
+        """
+        number, index = whole("pattern", pattern), whole("color", color)
+        if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self._mask):
+            KERNEL.result.set(grError)
+            return
+        self.settings.fill = fillsettingstype(number, index)
+        user = number == USER_FILL
+        self.settings.fill_rows = self.settings.user_rows if user else FILL_PATTERNS[number]
+
+    def setfillpattern(self, pattern: bytes | Sequence[Number], color: Number) -> None:
+        """Fill with eight rows of eight bits; -11 and no change for an unknown colour."""
+        rows = _eight_rows(pattern)
+        index = whole("color", color)
+        if not 0 <= index <= self._mask:
+            KERNEL.result.set(grError)
+            return
+        self.settings.fill = fillsettingstype(USER_FILL, index)
+        self.settings.fill_rows = self.settings.user_rows = rows
+
+    def getfillpattern(self) -> bytes:
+        """The eight rows of the user's pattern, whatever pattern is in use."""
+        return self.settings.user_rows
+
+    def getfillsettings(self) -> fillsettingstype:
+        """Fill pattern and colour."""
+        return replace(self.settings.fill)
 
     # Boxes
 
@@ -68,20 +106,21 @@ class Fills(Lines):
     def _bar3d(
         self, left: int, top: int, right: int, bottom: int, depth: int, topflag: int
     ) -> None:
-        x1, x2 = sorted((left, right))
-        y1, y2 = sorted((top, bottom))
+        x1, x2 = sorted((left + self._dx, right + self._dx))
+        y1, y2 = sorted((top + self._dy, bottom + self._dy))
+        fill, color = self.settings.fill.color, self.settings.color
         if x2 - x1 > 1 and y2 - y1 > 1:
-            self._bar(x1 + 1, y1 + 1, x2 - 1, y2 - 1, self.settings.fill.color)
-        self.rectangle(x1, y1, x2, y2)
+            self.page.fill((x1 + 1, y1 + 1, x2 - 1, y2 - 1), fill, self.settings.fill_rows)
+        self._box(x1, y1, x2, y2, color)
         if depth == 0:
             return
         x3, raised = x2 + depth, (depth * 3) >> 2
-        self.line(x2, y2, x3, y2 - raised)
-        self.line(x3, y2 - raised, x3, y1 - raised)
+        self._segment(x2, y2, x3, y2 - raised, color)
+        self._segment(x3, y2 - raised, x3, y1 - raised, color)
         if topflag:
-            self.line(x3, y1 - raised, x1 + depth, y1 - raised)
-            self.line(x1 + depth, y1 - raised, x1, y1)
-            self.line(x2, y1, x3, y1 - raised)
+            self._segment(x3, y1 - raised, x1 + depth, y1 - raised, color)
+            self._segment(x1 + depth, y1 - raised, x1, y1, color)
+            self._segment(x2, y1, x3, y1 - raised, color)
 
     # Polygons
 
@@ -115,23 +154,6 @@ class Fills(Lines):
         if color:  # an outline in colour 0 is not drawn
             self._sides(polygons.edges(outline), color)
 
-    def _fill_area(self, points: list[Point], fill: int) -> list[Path]:
-        """Fill a polygon, which is closed first; returns its paths."""
-        outline = polygons.paths([*points, *points[:1]])
-        rows = self.settings.fill_rows
-        _, top, _, bottom = self.page.box
-        if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
-            pass
-        elif len(points) < FEW:
-            self.page.fill_rows(polygons.scan(outline, top, bottom), fill, rows)
-        elif outline:
-            x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T[:, :, None]
-            real, single = np.ones(x1.shape, dtype=bool), np.array([len(outline) == 1])
-            edges = Edges((x1, y1, x2, y2), real, single)
-            for _, found in spans.fill(edges, top, bottom):
-                self.page.fill_spans(found, np.array([fill]), rows)
-        return outline
-
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
     ) -> None:
@@ -163,3 +185,10 @@ class Fills(Lines):
             settings.fill.color,
             settings.fill_rows,
         )
+
+
+def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:
+    rows = [whole(f"pattern[{i}]", row) & 0xFF for i, row in enumerate(pattern)]
+    if len(rows) != 8:
+        raise ValueError(f"pattern must be 8 bytes, not {len(rows)}")
+    return bytes(rows)

@@ -6,7 +6,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from bgi.constants import COPY_PUT, NOT_PUT, grError
-from bgi.graphics.screen import Screen
+from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
 from bgi.memory.image import LARGEST, Image, byte_size
@@ -15,7 +15,7 @@ from bgi.memory.imagefile import load, nearest, png, save_png, tagged
 Buffer = bytes | bytearray | memoryview
 
 
-class Images(Screen):
+class Images(State):
     """A screen to take pieces from and to put them on."""
 
     def _repr_png_(self) -> bytes:

@@ -1,21 +1,14 @@
-"""Class Screen: a graphics mode and everything that is *set* in it; class Graphics draws.
+"""Class State: what a graphics screen is, and all it remembers from one call to the next.
 
-Its mode and pages of video memory, palette, viewport, current position, colours and styles. A
-method here is one call of graphics.h; `bgi.api` says what each means.
+Its mode and pages of video memory, palette, viewport, current position and settings. The public
+methods are calls of graphics.h; `bgi.api.screen` says what each means.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from bgi.constants import (
-    EMPTY_FILL,
-    NORM_WIDTH,
-    SOLID_LINE,
-    THICK_WIDTH,
-    USER_FILL,
-    USERBIT_LINE,
-    grError,
-)
+from bgi.constants import THICK_WIDTH, grError
+from bgi.fonts.chr import StrokedFont
 from bgi.kernel.arguments import Number, Numbers, broadcast, whole
 from bgi.kernel.modes import YASP, GraphicsMode
 from bgi.kernel.state import KERNEL
@@ -25,19 +18,15 @@ from bgi.memory.page import Page
 from bgi.memory.palette import Palette
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
-from bgi.raster.patterns import FILL_PATTERNS, LINE_PATTERNS, line_mask
-from bgi.settings import (
-    Settings,
-    arccoordstype,
-    fillsettingstype,
-    linesettingstype,
-    palettetype,
-    viewporttype,
-)
+from bgi.raster.patterns import line_mask
+from bgi.settings import Settings, arccoordstype, palettetype, viewporttype
 
 
-class Screen:
-    """One graphics screen: tests and programs may hold several at once."""
+class State:
+    """One graphics screen: tests and programs may hold several at once.
+
+    Every attribute is there once a mode has been entered.
+    """
 
     def __init__(
         self, mode: GraphicsMode, card: Card | None = None, monitor: Monitor | None = None
@@ -66,9 +55,28 @@ class Screen:
     def graphdefaults(self) -> None:
         """Settings, palette, viewport and current position as after initgraph."""
         self.settings = Settings.defaults(self.mode.maxcolor, self.mode.width, self.mode.height)
+        self._font: StrokedFont | None = None
         self.palette.reset()
         self._use_viewport()
         self._use_line_settings()
+
+    def _use_viewport(self) -> None:
+        """Remember what drawing asks for again and again: the origin; clip the active page."""
+        view = self.settings.view
+        self._dx, self._dy = self._origin = view.left, view.top
+        if view.clip:
+            self.page.clip_to((view.left, view.top, view.right, view.bottom))
+        else:
+            self.page.clip_to((0, 0, self.mode.width - 1, self.mode.height - 1))
+
+    def _use_line_settings(self) -> None:
+        """Remember what drawing asks for again and again: how lines look, as booleans."""
+        line = self.settings.line
+        self._pattern = line_mask(line.upattern)
+        self._thick = line.thickness == THICK_WIDTH
+        self._xor = bool(self.settings.writemode)
+        self._solid = line.upattern == 0xFFFF and not self._xor
+        self._plain = self._solid and not self._thick
 
     # The screen
 
@@ -104,14 +112,6 @@ class Screen:
         self.settings.view = viewporttype(left, top, right, bottom, clip)
         self.settings.x = self.settings.y = 0
         self._use_viewport()
-
-    def _use_viewport(self) -> None:
-        view = self.settings.view
-        self._dx, self._dy = self._origin = view.left, view.top
-        if view.clip:
-            self.page.clip_to((view.left, view.top, view.right, view.bottom))
-        else:
-            self.page.clip_to((0, 0, self.mode.width - 1, self.mode.height - 1))
 
     def getviewsettings(self) -> viewporttype:
         """The viewport: absolute corners, and whether clipping is on."""
@@ -222,69 +222,6 @@ class Screen:
         if not self.palette.set_rgb(registers, colors):
             KERNEL.result.set(grError)
 
-    # Styles
-
-    def setlinestyle(self, style: Number, pattern: Number, width: Number) -> None:
-        """Set line style, user pattern and width; -11 and no change if either is unknown."""
-        number, bits = whole("style", style), whole("pattern", pattern) & 0xFFFF
-        thickness = whole("width", width)
-        known = SOLID_LINE <= number <= USERBIT_LINE and thickness in (NORM_WIDTH, THICK_WIDTH)
-        if not known:
-            KERNEL.result.set(grError)
-            return
-        if number != USERBIT_LINE:
-            bits = LINE_PATTERNS[number]
-        self.settings.line = linesettingstype(number, bits, thickness)
-        self._use_line_settings()
-
-    def getlinesettings(self) -> linesettingstype:
-        """Line style, its sixteen bits, thickness."""
-        return replace(self.settings.line)
-
-    def setwritemode(self, mode: Number) -> None:
-        """COPY_PUT or XOR_PUT for lines; only bit 0 counts, as in Borland's driver."""
-        self.settings.writemode = whole("mode", mode) & 1
-        self._use_line_settings()
-
-    def _use_line_settings(self) -> None:
-        line = self.settings.line
-        self._pattern = line_mask(line.upattern)
-        self._thick = line.thickness == THICK_WIDTH
-        self._xor = bool(self.settings.writemode)
-        self._solid = line.upattern == 0xFFFF and not self._xor
-        self._plain = self._solid and not self._thick
-
-    def setfillstyle(self, pattern: Number, color: Number) -> None:
-        """Set fill pattern and colour; -11 and no change if either is unknown.
-
-        USER_FILL selects the pattern last given to setfillpattern().
-        """
-        number, index = whole("pattern", pattern), whole("color", color)
-        if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self._mask):
-            KERNEL.result.set(grError)
-            return
-        self.settings.fill = fillsettingstype(number, index)
-        user = number == USER_FILL
-        self.settings.fill_rows = self.settings.user_rows if user else FILL_PATTERNS[number]
-
-    def setfillpattern(self, pattern: bytes | Sequence[Number], color: Number) -> None:
-        """Fill with eight rows of eight bits; -11 and no change for an unknown colour."""
-        rows = _eight_rows(pattern)
-        index = whole("color", color)
-        if not 0 <= index <= self._mask:
-            KERNEL.result.set(grError)
-            return
-        self.settings.fill = fillsettingstype(USER_FILL, index)
-        self.settings.fill_rows = self.settings.user_rows = rows
-
-    def getfillpattern(self) -> bytes:
-        """The eight rows of the user's pattern, whatever pattern is in use."""
-        return self.settings.user_rows
-
-    def getfillsettings(self) -> fillsettingstype:
-        """Fill pattern and colour."""
-        return replace(self.settings.fill)
-
     # The mode
 
     def getgraphmode(self) -> int:
@@ -303,10 +240,3 @@ class Screen:
     def getdrivername(self) -> str:
         """The name of the driver's file."""
         return KERNEL.drivers.name(self.mode.driver) or ""
-
-
-def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:
-    rows = [whole(f"pattern[{i}]", row) & 0xFF for i, row in enumerate(pattern)]
-    if len(rows) != 8:
-        raise ValueError(f"pattern must be 8 bytes, not {len(rows)}")
-    return bytes(rows)

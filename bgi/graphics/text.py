@@ -19,7 +19,7 @@ from bgi.fonts import bitmap, layout
 from bgi.fonts.chr import FontError, StrokedFont
 from bgi.fonts.codepage import encode
 from bgi.fonts.layout import Scale
-from bgi.graphics.drawing import Lines
+from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
 from bgi.memory.page import FAR
@@ -33,7 +33,7 @@ LARGEST_FACTOR = 32767
 """The factors of setusercharsize() are 16-bit numbers."""
 
 
-class Text(Lines):
+class Text(State):
     """A screen to write on."""
 
     # Settings
@@ -42,7 +42,7 @@ class Text(Lines):
         """Choose font, direction and size; a font that cannot be had gives the built-in one."""
         number, way = whole("font", font), whole("direction", direction)
         size = min(max(whole("charsize", charsize), USER_CHAR_SIZE), LARGEST)
-        self._font: StrokedFont | None = None
+        self._font = None
         if number != DEFAULT_FONT:
             try:
                 self._font = KERNEL.fonts.load(number, self.path)
@@ -83,10 +83,6 @@ class Text(Lines):
 
     # Measures
 
-    @property
-    def _stroked(self) -> StrokedFont | None:
-        return None if self.settings.text.font == DEFAULT_FONT else self._font
-
     def _scale(self) -> Scale:
         size = self.settings.text.charsize
         return self.settings.user_scale if size == USER_CHAR_SIZE else layout.SIZES[size]
@@ -96,14 +92,14 @@ class Text(Lines):
 
     def textwidth(self, text: str | bytes) -> int:
         """The width of a text in pixels."""
-        font, codes = self._stroked, encode(text)
+        font, codes = self._font, encode(text)
         if font is None:
             return self._cell() * len(codes)
         return layout.textwidth(font, codes, self._scale())
 
     def textheight(self, text: str | bytes) -> int:
         """The height of a text in pixels: the same for every text."""
-        font = self._stroked
+        font = self._font
         encode(text)
         return self._cell() if font is None else layout.textheight(font, self._scale())
 
@@ -119,7 +115,7 @@ class Text(Lines):
     def outtextxy(self, x: Number, y: Number, text: str | bytes) -> None:
         """Write at x, y."""
         left, top = whole("x", x) + self._dx, whole("y", y) + self._dy
-        font, codes = self._stroked, encode(text)
+        font, codes = self._font, encode(text)
         if font is not None:
             self._write_strokes(font, left, top, codes)
         elif self.settings.text.direction == VERT_DIR:

@@ -18,7 +18,7 @@ from pathlib import Path
 from bgi.errors import BGIError
 from bgi.memory.card import Card
 from bgi.memory.sdl import pygame
-from bgi.monitor.display import Screen, free_name
+from bgi.monitor.display import Display, free_name
 from bgi.monitor.inputs import Inputs
 from bgi.monitor.protocol import encode, receive
 from bgi.monitor.recorder import Recorder
@@ -43,7 +43,7 @@ class Child:
         self._folder = folder
         self._inbox = inbox
         self._output = output
-        self._screen = Screen(card, folder)
+        self._display = Display(card, folder)
         self._speaker = Speaker()
         self._recorder: Recorder | None = None
         self._parent = os.getppid()
@@ -53,31 +53,31 @@ class Child:
         self._lively = time.monotonic()  # when something has happened last
         self._over = False
         self._inputs = Inputs(
-            self._screen,
+            self._display,
             self._send,
             {
-                (pygame.K_F11, 0): self._screen.toggle_full,
-                (pygame.K_RETURN, pygame.KMOD_ALT): self._screen.toggle_full,
-                (pygame.K_F12, 0): self._screen.save,
+                (pygame.K_F11, 0): self._display.toggle_full,
+                (pygame.K_RETURN, pygame.KMOD_ALT): self._display.toggle_full,
+                (pygame.K_F12, 0): self._display.save,
                 (pygame.K_F5, pygame.KMOD_CTRL): self._toggle_recording,
             },
         )
         self._orders: dict[str, Callable[[str], None]] = {
             "show": self._show,
-            "title": self._screen.set_title,
+            "title": self._display.set_title,
             "sound": lambda hertz: self._speaker.sound(int(hertz)),
             "pointer": self._inputs.use_pointer,
             "move": lambda rest: self._inputs.move(*map(int, rest.split())),
             "limits": lambda rest: self._inputs.limit(*map(int, rest.split())),
             "record": self._record,
-            "notice": self._screen.notice,
+            "notice": self._display.notice,
             "close": lambda rest: self._close(),
             "end": lambda rest: self._end(),
         }
         self._events: dict[int, Callable[[], None]] = {
             pygame.QUIT: self._close,
-            pygame.WINDOWSIZECHANGED: self._screen.resize,
-            pygame.WINDOWEXPOSED: self._screen.forget,
+            pygame.WINDOWSIZECHANGED: self._display.resize,
+            pygame.WINDOWEXPOSED: self._display.forget,
         }
 
     def run(self) -> None:
@@ -91,7 +91,7 @@ class Child:
                 self._inputs.handle(event)
             self._inputs.flush()
             self._present()
-            self._screen.end_notice()
+            self._display.end_notice()
         self._stop_recording()
 
     def _wait(self) -> None:
@@ -115,7 +115,7 @@ class Child:
         start = time.monotonic()
         if start < self._free:
             return
-        changed = self._screen.update()
+        changed = self._display.update()
         if changed and self._recorder is not None:
             self._record_frame(self._recorder)
         now = time.monotonic()
@@ -128,7 +128,7 @@ class Child:
             pause = IDLE_FRAME if now - self._lively > IDLE_AFTER else self._frame
         self._free = max(self._free + pause, start + pause - LATE)
         if self._asked:
-            self._send("shown", self._asked, self._screen.presents)
+            self._send("shown", self._asked, self._display.presents)
             self._asked = ""
 
     # Recording
@@ -145,11 +145,11 @@ class Child:
             self._recorder = Recorder(file or str(free_name(self._folder, "gif")))
         except (BGIError, OSError) as error:
             print(f"bgi: {error}", file=sys.stderr, flush=True)
-            self._screen.notice(str(error))
+            self._display.notice(str(error))
             return
         self._send("recording")
         self._record_frame(self._recorder)
-        self._screen.notice("recording", float("inf"))
+        self._display.notice("recording", float("inf"))
 
     def _record_frame(self, recorder: Recorder) -> None:
         frame = self._card.frame()

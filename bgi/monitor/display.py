@@ -20,7 +20,7 @@ from bgi.monitor.plan import shot
 NOTICE_SECONDS = 2.5  # how long the title tells what has just happened
 
 
-class Screen:
+class Display:
     """The window and what is on show in it; pygame.error if there can be none.
 
     `folder` is where pictures are saved.

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from bgi.memory.sdl import pygame
 from bgi.monitor import keyboard
 from bgi.monitor import pointer as mouse
-from bgi.monitor.display import Screen
+from bgi.monitor.display import Display
 
 _BUTTONS = {1: mouse.LEFT, 2: mouse.MIDDLE, 3: mouse.RIGHT}  # by pygame's numbers
 _WHEEL = {4: -1, 5: 1}
@@ -23,11 +23,11 @@ class Inputs:
 
     def __init__(
         self,
-        screen: Screen,
+        display: Display,
         send: Callable[..., None],
         hot_keys: dict[tuple[int, int], Callable[[], None]],
     ) -> None:
-        self._screen = screen
+        self._display = display
         self._send = send
         self._hot_keys = hot_keys
         self._hot = 0, 0.0  # the hot key that is down, and when that was last heard
@@ -45,7 +45,7 @@ class Inputs:
         elif event.type == pygame.KEYUP and event.key == self._hot[0]:
             self._hot = 0, 0.0
         elif event.type == pygame.MOUSEMOTION:
-            self._go(self._screen.to_page(event.pos))
+            self._go(self._display.to_page(event.pos))
         elif event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             self._click(event)
 
@@ -82,7 +82,7 @@ class Inputs:
             if event.type == pygame.MOUSEBUTTONDOWN and event.button in _WHEEL:
                 self._send("wheel", _WHEEL[event.button])
             return
-        self._go(self._screen.to_page(event.pos))
+        self._go(self._display.to_page(event.pos))
         self._moved = False
         if event.type == pygame.MOUSEBUTTONDOWN:
             self._buttons |= 1 << button
@@ -101,7 +101,7 @@ class Inputs:
         self._point()
 
     def _point(self) -> None:
-        self._screen.set_pointer(self._place if self._arrow else None)
+        self._display.set_pointer(self._place if self._arrow else None)
 
     # What the program asks of the mouse
 
@@ -113,7 +113,7 @@ class Inputs:
 
     def move(self, x: int, y: int) -> None:
         """Put the pointer on a pixel of the page."""
-        pygame.mouse.set_pos(self._screen.to_window(x, y))
+        pygame.mouse.set_pos(self._display.to_window(x, y))
         self._place = x, y
         self._point()
 

@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -42,6 +43,20 @@ def test_same_signature_as_the_method(name):
     ]
 
 
+@pytest.mark.parametrize("name", DRAWING)
+def test_function_and_method_stand_in_modules_of_the_same_name(name):
+    function, method = getattr(bgi, name), getattr(Graphics, name)
+    assert method.__module__ == function.__module__.replace("bgi.api.", "bgi.graphics.")
+
+
+def test_a_screen_has_all_its_attributes_from_the_beginning(vga):
+    before = set(vars(vga))
+    for name in DRAWING:
+        with suppress(OSError):
+            getattr(vga, name)(*CALLS[name])
+    assert set(vars(vga)) == before
+
+
 @pytest.mark.parametrize("name", sorted(FUNCTIONS))
 def test_docstring_tells_a_learner(name):
     text = inspect.getdoc(getattr(bgi, name))
@@ -71,6 +86,9 @@ CALLS |= {
     "drawpoly": [[(1, 1), (2, 2)]],
     "fillpoly": [[(1, 1), (2, 2)]],
     "setallpalette": [[1, 2]],
+    "setfillpattern": [bytes(8), 1],
+    "putimage": [1, 1, bytes(100), 0],
+    "readimagefile": ["/nonexistent/x.png"],
     "writeimagefile": ["/nonexistent/x.png"],
 }
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from bgi import VGA, VGAHI
 from bgi.graphics import Graphics
-from bgi.graphics.drawing import FEW
+from bgi.graphics.pen import FEW
 from bgi.kernel.arguments import LIMIT
 from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
@@ -135,7 +135,7 @@ def test_a_figure_of_many_lines_is_a_loop_of_lines(style, points):
 def test_a_polygon_of_many_corners_is_filled_like_one_of_few(style, points):
     one, many = screen(style), screen(style)
     corners = [(x + turn % 3, y) for turn in range(FEW) for x, y in points]
-    with patch("bgi.graphics.filling.FEW", 10**9):
+    with patch("bgi.graphics.pen.FEW", 10**9):
         one.fillpoly(corners)
     many.fillpoly(corners)
     assert (one.page.array == many.page.array).all()

@@ -1,0 +1,125 @@
+"""Class Pen: what the drawing topics share, between a call and the page.
+
+How a call is repeated for arrays, how a line is drawn in the style that is set, how an area is
+filled in the pattern that is set. All points here are absolute: the viewport's origin is in them.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.graphics.screen import State
+from bgi.kernel.arguments import Numbers, broadcast, is_array, whole, whole_array
+from bgi.raster import lines, polygons, spans
+from bgi.raster.lines import Segment, Segments
+from bgi.raster.patterns import EMPTY_ROWS
+from bgi.raster.polygons import Path, Point
+from bgi.raster.spans import Edges
+
+FEW = 256
+"""Below this many lines a loop is as fast as the array path."""
+
+
+class Pen(State):
+    """A screen to draw on."""
+
+    # Numbers or arrays
+
+    def _each(
+        self, call: Callable[..., None], color: Numbers | None = None, **arguments: Numbers
+    ) -> None:
+        """Call with whole numbers: once, or for every element of the arrays among the arguments.
+
+        A `color` becomes the drawing colour of its call only.
+        """
+        if color is not None:
+            arguments["color"] = color
+        if not any(is_array(value) for value in arguments.values()):
+            calls = [[whole(name, value) for name, value in arguments.items()]]
+        else:
+            calls = np.stack(broadcast(**arguments), axis=-1).tolist()
+        before = self.settings.color
+        try:
+            for numbers in calls:
+                if color is not None:
+                    self.settings.color = numbers.pop() & self._mask
+                call(*numbers)
+        finally:
+            self.settings.color = before
+
+    # Lines
+
+    def _segment(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
+        """One line between absolute points, in line style, width and write mode."""
+        if self._plain:
+            self.page.line(x1, y1, x2, y2, color)
+            return
+        for strand in lines.strands(x1, y1, x2, y2) if self._thick else [(x1, y1, x2, y2)]:
+            if self._solid:
+                self.page.line(*strand, color)
+            else:
+                self.page.styled_line(strand, color, self._pattern, self._xor)
+
+    def _box(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
+        """The outline of a box between absolute corners, in any order: four lines."""
+        if self._plain:
+            x1, x2 = (left, right) if left <= right else (right, left)
+            y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
+            self.page.outline(x1, y1, x2, y2, color)
+            return
+        self._segment(left, top, right, top, color)
+        self._segment(right, top, right, bottom, color)
+        self._segment(right, bottom, left, bottom, color)
+        self._segment(left, bottom, left, top, color)
+
+    def _sides(self, sides: list[Segment], color: int) -> None:
+        """The lines of one figure."""
+        if len(sides) < FEW:  # else the array path is faster: it drops what is off screen at once
+            for side in sides:
+                self._segment(*side, color)
+        else:
+            x1, y1, x2, y2 = whole_array("sides", sides).T
+            self._segments((x1, y1, x2, y2), np.full(len(sides), color))
+
+    def _segments(self, segments: Segments, colors: NDArray[Any]) -> None:
+        """Many lines between absolute points, each in its colour."""
+        if self._thick:
+            segments, colors = lines.strands_many(segments), np.repeat(colors, 3)
+        self.page.lines(segments, colors, self._pattern, self._xor)
+
+    # Areas
+
+    def _fill_area(self, points: list[Point], fill: int) -> list[Path]:
+        """Fill a polygon, which is closed first; returns its paths."""
+        outline = polygons.paths([*points, *points[:1]])
+        rows = self.settings.fill_rows
+        _, top, _, bottom = self.page.box
+        if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
+            pass
+        elif len(points) < FEW:
+            self.page.fill_rows(polygons.scan(outline, top, bottom), fill, rows)
+        elif outline:
+            x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T[:, :, None]
+            real, single = np.ones(x1.shape, dtype=bool), np.array([len(outline) == 1])
+            edges = Edges((x1, y1, x2, y2), real, single)
+            for _, found in spans.fill(edges, top, bottom):
+                self.page.fill_spans(found, np.array([fill]), rows)
+        return outline
+
+    # Arguments of polygons
+
+    def _shifted(self, points: list[Point]) -> list[Point]:
+        dx, dy = self._origin
+        return [(x + dx, y + dy) for x, y in points] if dx or dy else points
+
+    def _one_color(self, name: str, value: Numbers | None, default: int) -> int:
+        return default if value is None else whole(name, value) & self._mask
+
+    def _colors(self, name: str, values: Numbers | None, default: int, count: int) -> NDArray[Any]:
+        """A colour for each of `count` shapes."""
+        array = whole_array(name, default if values is None else values) & self._mask
+        if array.ndim == 0 or array.shape == (count,):
+            return np.broadcast_to(array, count)
+        raise ValueError(f"{name} must be a number or {count} numbers, not of shape {array.shape}")
