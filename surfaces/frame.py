@@ -11,15 +11,16 @@ from itertools import product
 
 import numpy as np
 
+from surfaces.arrays import Doubles
 from surfaces.shape.grid import Interval
 from surfaces.space.fitting import Room
-from surfaces.space.transforms import FloatArray, apply
+from surfaces.space.transforms import apply
+from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
 from surfaces.ticks import labels, ticks
-from surfaces.visible.order import View
 
-Box = tuple[FloatArray, FloatArray]
+Box = tuple[Doubles, Doubles]
 """The upper left and the lower right corner of something on the screen."""
 
 # LIGHTGRAY, DARKGRAY and WHITE of graphics.h.
@@ -43,15 +44,15 @@ class Frame:
 
     pen: Pen
     view: View
-    low: FloatArray
-    high: FloatArray
+    low: Doubles
+    high: Doubles
 
     @property
-    def far(self) -> FloatArray:
+    def far(self) -> Doubles:
         """The corner farthest from the eye: for each axis the end that the eye is not at."""
         return np.where(self.view.eye > 0, self.low, self.high)
 
-    def _edges(self, axis: int) -> list[tuple[FloatArray, FloatArray, int]]:
+    def _edges(self, axis: int) -> list[tuple[Doubles, Doubles, int]]:
         """The four edges along an axis: both ends, and how many far faces each belongs to."""
         found = []
         others = [other for other in range(3) if other != axis]
@@ -64,9 +65,9 @@ class Frame:
             found.append((start, stop, int((start == self.far)[others].sum())))
         return found
 
-    def _lines(self, starts: list[FloatArray], ends: list[FloatArray], colour: int) -> None:
+    def _lines(self, starts: list[Doubles], ends: list[Doubles], color: int) -> None:
         a, b = (apply(points, self.view.screen)[:, :2] for points in (starts, ends))
-        self.pen.lines(a, b, self.pen.ink(colour))
+        self.pen.lines(a, b, self.pen.ink(color))
 
     def back(self) -> None:
         """The nine edges of the far faces, to be drawn before the surface."""
@@ -104,16 +105,16 @@ class Frame:
                 start, stop = min(outline, key=lambda edge: sign * self._middle(edge)[side])
                 self._axis(axis, name, start, stop, taken)
 
-    def _middle(self, points: tuple[FloatArray, FloatArray]) -> FloatArray:
-        middle: FloatArray = apply((points[0] + points[1]) / 2, self.view.screen)[:2]
+    def _middle(self, points: tuple[Doubles, Doubles]) -> Doubles:
+        middle: Doubles = apply((points[0] + points[1]) / 2, self.view.screen)[:2]
         return middle
 
     def _axis(
         self,
         axis: int,
         name: str,
-        start: FloatArray,
-        stop: FloatArray,
+        start: Doubles,
+        stop: Doubles,
         taken: list[Box],
     ) -> None:
         """One axis; `taken` are the places that have been written on."""
@@ -148,7 +149,7 @@ class Frame:
         self.pen.text(left, top, text, self.pen.ink(TEXT))
         taken.append(box)
 
-    def _place(self, at: FloatArray, outward: FloatArray, text: str) -> Box | None:
+    def _place(self, at: Doubles, outward: Doubles, text: str) -> Box | None:
         """The box of a text a little outward from a point; None if that is off the screen."""
         character = self.pen.character
         screen = np.array((self.pen.width, self.pen.height))

@@ -17,15 +17,17 @@ from functools import cached_property
 
 import numpy as np
 
+from surfaces.arrays import Doubles
 from surfaces.shape.contours import contours
 from surfaces.shape.fields import Field
 from surfaces.shape.grid import Grid, Interval
-from surfaces.space.transforms import FloatArray, apply
+from surfaces.space.transforms import apply
+from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
 from surfaces.visible import horizon, painter, sight
 from surfaces.visible.horizon import Horizon, Segments
-from surfaces.visible.order import View, back_to_front
+from surfaces.visible.order import back_to_front
 from surfaces.visible.picking import Triangles, pick
 from surfaces.visible.sweep import Sweep
 
@@ -74,7 +76,7 @@ class Picture:
         """The cells in painting order; with ``every``, each as large as that many by as many."""
         return painter.of_grids(self.grids, self.fields, self.view, every)
 
-    def pick(self, px: float, py: float) -> FloatArray | None:
+    def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""
         holes = [~grid.whole for grid in self.grids]
         return pick(self.sweeps, holes, self.rims, self.view, px, py)
@@ -176,13 +178,13 @@ def draw_floor(picture: Picture, levels: list[float], floor: float, limits: Inte
     low, high = limits
     for level in levels:
         part = np.array([(level - low) / ((high - low) or 1.0)])
-        colour = int(picture.palette.bands(part)[0])
+        color = int(picture.palette.bands(part)[0])
         for grid in picture.grids:
             lines = contours(grid, level)
             ends = np.stack((lines.starts, lines.ends))
             ends[..., 2] = floor
             starts, stops = apply(ends, picture.view.screen)[..., :2]
-            picture.pen.lines(starts, stops, colour)
+            picture.pen.lines(starts, stops, color)
 
 
 MODES: dict[str, Callable[[Picture], None]] = {

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from surfaces import frame
+from surfaces.arrays import Doubles
 from surfaces.frame import Frame, Surround
 from surfaces.modes import MODES, Picture, draw_contours, draw_floor
 from surfaces.shape.fields import field
@@ -22,11 +23,11 @@ from surfaces.shape.sheet import SHEET_MODES, SheetPicture, walk
 from surfaces.space.fitting import Room, fit
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.projections import projection as named
-from surfaces.space.transforms import FloatArray, Point, apply, compose
+from surfaces.space.transforms import Point, apply, compose
+from surfaces.space.view import View
 from surfaces.systems.colors import Ramp, palette
 from surfaces.systems.pen import Pen, System
 from surfaces.ticks import ticks
-from surfaces.visible.order import View
 
 Levels = int | Sequence[float]
 MESH_LINES = 50
@@ -46,28 +47,28 @@ class Plot:
 
     mapping: Projection
     """From space to the screen."""
-    transform: FloatArray
+    transform: Doubles
     """4x4: from (x, y, z) of the surface to that space, fit and turn in one."""
     scales: Point
     """The chosen scales: pixels for a unit of x, y and z along the arrows of the mapping."""
-    box: tuple[FloatArray, FloatArray]
+    box: tuple[Doubles, Doubles]
     """The lowest and the highest corner of the surface."""
     limits: Interval
     """The values that the first and the last colour stand for."""
     picture: Picture | SheetPicture
     """What was drawn."""
 
-    def project(self, points: ArrayLike) -> FloatArray:
+    def project(self, points: ArrayLike) -> Doubles:
         """Where points (x, y, z), shape (..., 3), appear: the paper's triples (x', y', z)."""
         return apply(points, self.picture.view.screen)
 
-    def unproject(self, triples: ArrayLike) -> FloatArray:
+    def unproject(self, triples: ArrayLike) -> Doubles:
         """The points (x, y, z) of triples (x', y', z), shape (..., 3)."""
         return apply(triples, self.picture.view.back)
 
-    def depth(self, points: ArrayLike) -> FloatArray:
+    def depth(self, points: ArrayLike) -> Doubles:
         """How near points (..., 3) are: of two on one pixel, the greater number is the nearer."""
-        near: FloatArray = np.asarray(points, dtype=np.float64) @ self.picture.view.eye
+        near: Doubles = np.asarray(points, dtype=np.float64) @ self.picture.view.eye
         return near
 
     def pick(self, px: float, py: float) -> Point | None:
@@ -81,12 +82,12 @@ class Plot:
 
 
 def surface(
-    f: Function | Grid | Sequence[Any] | FloatArray,
+    f: Function | Grid | Sequence[Any] | Doubles,
     x: Axis | None = None,
     y: Axis | None = None,
     n: int | tuple[int, int] = 200,
     mode: str = "fill",
-    transform: FloatArray | None = None,
+    transform: Doubles | None = None,
     mapping: Projection | None = None,
     *,
     projection: str | Projection | None = None,
@@ -145,7 +146,7 @@ def surface(
     """
     _check(mode, MODES, every)
     pen = Pen(on)
-    colours = palette(pen.colours, ramp, under, dither)
+    colors = palette(pen.colors, ramp, under, dither)
     grids = _grids(f, x, y, n, z)
     box_around = _box(grids)
     room = frame.room(pen, _named_axes(axes), bool(title), colorbar)
@@ -154,13 +155,13 @@ def surface(
     T = normal if transform is None else compose(normal, _checked(transform))
     fields = [field(color, grid, T) for grid in grids]
     limits = min(f.limits[0] for f in fields), max(f.limits[1] for f in fields)
-    ink, under_ink = _inks(lines, 0 if "fill" in mode or mode == "facets" else pen.colour)
+    ink, under_ink = _inks(lines, 0 if "fill" in mode or mode == "facets" else pen.color)
     picture = Picture(
         pen=pen,
         grids=grids,
         fields=tuple(one.scaled(limits) for one in fields),
         view=View.of(T, view),
-        palette=colours,
+        palette=colors,
         ink=ink,
         under_ink=under_ink,
         every=every or _every(grids[0].z.shape),
@@ -168,7 +169,7 @@ def surface(
     heights = float(box_around[0][2]), float(box_around[1][2])
     on_surface, on_floor = _levels(contours, heights), _levels(floor, heights)
     around = Frame(pen, picture.view, *box_around)
-    surround = Surround(around, colours, limits, box, axes, title, colorbar)
+    surround = Surround(around, colors, limits, box, axes, title, colorbar)
     surround.behind()
     draw_floor(picture, on_floor, around.far[2], heights)
     MODES[mode](picture)
@@ -183,7 +184,7 @@ def parametric(
     v: Interval,
     n: int | tuple[int, int] = 100,
     mode: str = "fill",
-    transform: FloatArray | None = None,
+    transform: Doubles | None = None,
     mapping: Projection | None = None,
     *,
     projection: str | Projection | None = None,
@@ -218,7 +219,7 @@ def parametric(
     """
     _check(mode, SHEET_MODES, every)
     pen = Pen(on)
-    colours = palette(pen.colours, ramp, ramp if under is None else under, dither)
+    colors = palette(pen.colors, ramp, ramp if under is None else under, dither)
     sheet = walk(f, u, v, n)
     room = frame.room(pen, _named_axes(axes), bool(title), colorbar)
     arrows = Mapping(theta, rho_z) if projection is None else named(projection)
@@ -230,12 +231,12 @@ def parametric(
         sheet=sheet,
         value=np.nan_to_num(shown.value),
         view=View.of(T, view),
-        palette=colours,
-        ink=_inks(lines, 0 if "fill" in mode or mode == "facets" else pen.colour)[0],
+        palette=colors,
+        ink=_inks(lines, 0 if "fill" in mode or mode == "facets" else pen.color)[0],
         every=every or _every(shown.value.shape),
     )
     around = Frame(pen, picture.view, *sheet.box)
-    surround = Surround(around, colours, shown.limits, box, axes, title, colorbar)
+    surround = Surround(around, colors, shown.limits, box, axes, title, colorbar)
     surround.behind()
     SHEET_MODES[mode](picture)
     surround.before()
@@ -251,13 +252,13 @@ def _check(mode: str, modes: Collection[str], every: int | None) -> None:
 
 def _placed(
     pen: Pen,
-    box: tuple[FloatArray, FloatArray],
+    box: tuple[Doubles, Doubles],
     mapping: Projection | None,
     arrows: Projection,
     zfrac: float | None,
     turning: bool,
     room: Room,
-) -> tuple[FloatArray, Projection]:
+) -> tuple[Doubles, Projection]:
     """The mapping as given, or fitted to the screen; with the transform that goes before it."""
     if mapping is not None:
         return np.eye(4), mapping
@@ -273,7 +274,7 @@ def _placed(
     )
 
 
-def _scales(view: Projection, normal: FloatArray) -> Point:
+def _scales(view: Projection, normal: Doubles) -> Point:
     x, y, z = np.array(view.scale) * np.diag(normal)[:3]
     return float(x), float(y), float(z)
 
@@ -307,7 +308,7 @@ def _grids(
     return (sample(f, x, y, n, z),) if callable(f) else (data(f, x, y, z),)
 
 
-def _box(grids: Sequence[Grid]) -> tuple[FloatArray, FloatArray]:
+def _box(grids: Sequence[Grid]) -> tuple[Doubles, Doubles]:
     """The box around all of them."""
     boxes = np.array([grid.box for grid in grids])
     return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
@@ -327,7 +328,7 @@ def _levels(levels: Levels, heights: Interval) -> list[float]:
     return [level for level in ticks(low, high, levels) if low < level < high] if levels else []
 
 
-def _checked(transform: FloatArray) -> FloatArray:
+def _checked(transform: Doubles) -> Doubles:
     T = np.asarray(transform, dtype=np.float64)
     if T.shape != (4, 4) or not np.isfinite(T).all():
         raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r}")

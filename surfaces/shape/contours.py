@@ -9,20 +9,17 @@ go together.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from surfaces.arrays import Doubles, Ints
 from surfaces.shape.grid import Grid
-from surfaces.space.transforms import FloatArray
-
-Ints = NDArray[np.int64]
 
 
 class Contours(NamedTuple):
     """Straight pieces of contour lines, one in a cell, two in a saddle."""
 
-    starts: FloatArray
+    starts: Doubles
     """(m, 3): points of the surface."""
-    ends: FloatArray
+    ends: Doubles
     cell: Ints
     """(m, 2): the cell i, j that each lies in."""
 
@@ -79,5 +76,5 @@ def contours(grid: Grid, level: float) -> Contours:
     )
 
 
-def _at(points: FloatArray, level: float) -> FloatArray:
+def _at(points: Doubles, level: float) -> Doubles:
     return np.column_stack((points, np.full(len(points), level)))

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from surfaces.arrays import Doubles
 from surfaces.shape.grid import Grid, Interval, evaluate
-from surfaces.space.transforms import FloatArray
 
 # Where the light comes from, in the viewed space: over the viewer's left shoulder.
 LIGHT = np.array((0.55, -0.35, 0.76))
@@ -20,9 +20,9 @@ LIGHT = np.array((0.55, -0.35, 0.76))
 class Field:
     """Values over the grid, from 0 to 1, and what 0 and 1 stand for."""
 
-    value: FloatArray
+    value: Doubles
     limits: Interval
-    quantity: Callable[[FloatArray], FloatArray] | None = None
+    quantity: Callable[[Doubles], Doubles] | None = None
     """The number itself at any points (m, 3) of the surface, if they are all it depends on."""
 
     def scaled(self, limits: Interval) -> "Field":
@@ -33,7 +33,7 @@ class Field:
             value = (value * (high - low) + (low - lowest)) / ((highest - lowest) or 1.0)
         return Field(np.nan_to_num(value), limits, self.quantity)
 
-    def at(self, points: FloatArray, beside: FloatArray) -> FloatArray:
+    def at(self, points: Doubles, beside: Doubles) -> Doubles:
         """The values at points (m, 3), or where only the grid knows them, the nodes' beside."""
         if self.quantity is None:
             return beside
@@ -42,7 +42,7 @@ class Field:
         return np.where(np.isfinite(value), np.clip(value, 0, 1), beside)
 
 
-def field(color: Any, grid: Grid, T: FloatArray) -> Field:
+def field(color: Any, grid: Grid, T: Doubles) -> Field:
     """The field that ``color`` asks for.
 
     "z", "slope" (how much z changes per unit, steepest way), "light" (half of it is shade), an
@@ -63,7 +63,7 @@ def field(color: Any, grid: Grid, T: FloatArray) -> Field:
     return spread(values)
 
 
-def spread(values: FloatArray) -> Field:
+def spread(values: Doubles) -> Field:
     """Values of any range as a field; what is not finite is missing."""
     values = np.where(np.isfinite(values), values, np.nan)
     if np.isnan(values).all():
@@ -72,22 +72,22 @@ def spread(values: FloatArray) -> Field:
     return Field((values - low) / ((high - low) or 1.0), (low, high))
 
 
-def _gradient(grid: Grid) -> tuple[FloatArray, FloatArray]:
+def _gradient(grid: Grid) -> tuple[Doubles, Doubles]:
     along_x, along_y = np.gradient(grid.z, grid.x, grid.y)
     return np.asarray(along_x), np.asarray(along_y)
 
 
-def _height(grid: Grid, T: FloatArray) -> Field:
+def _height(grid: Grid, T: Doubles) -> Field:
     low, high = (float(corner[2]) for corner in grid.box)
     value = (grid.z - low) / ((high - low) or 1.0)
     return Field(value, (low, high), lambda points: points[:, 2])
 
 
-def _slope(grid: Grid, T: FloatArray) -> Field:
+def _slope(grid: Grid, T: Doubles) -> Field:
     return spread(np.hypot(*_gradient(grid)))
 
 
-def _light(grid: Grid, T: FloatArray) -> Field:
+def _light(grid: Grid, T: Doubles) -> Field:
     """1 where the light falls straight on the upper side, 0 where it does so on the other."""
     along_x, along_y = _gradient(grid)
     normal = np.stack((-along_x, -along_y, np.ones_like(along_x)), axis=-1)
@@ -99,7 +99,7 @@ def _light(grid: Grid, T: FloatArray) -> Field:
     return Field(lit**2, (0.0, 1.0))
 
 
-FIELDS: dict[str, Callable[[Grid, FloatArray], Field]] = {
+FIELDS: dict[str, Callable[[Grid, Doubles], Field]] = {
     "z": _height,
     "slope": _slope,
     "light": _light,

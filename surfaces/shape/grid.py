@@ -14,15 +14,15 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from surfaces.arrays import Bools, Doubles, Ints
 from surfaces.shape import rim
+from surfaces.shape.cells import every_nth
 from surfaces.shape.rim import Rim
-from surfaces.space.transforms import FloatArray
 
 Function = Callable[[Any, Any], Any]
 Interval = tuple[float, float]
-Axis = Interval | Sequence[float] | FloatArray
+Axis = Interval | Sequence[float] | Doubles
 
 # Where to look beside a node, in units of the domain's width and depth: once in every quadrant, off
 # the diagonals, and at four distances, so that 1/x**2 and log(x**2) are seen to grow.
@@ -36,9 +36,9 @@ LARGEST = 1e30
 class Grid:
     """f on a rectangle: z[i, j] = f(x[i], y[j]), NaN where f has no value; x and y ascend."""
 
-    x: FloatArray
-    y: FloatArray
-    z: FloatArray
+    x: Doubles
+    y: Doubles
+    z: Doubles
     limits: Interval | None = None
     """The range that the heights were cut to, if any."""
     value: rim.Value | None = None
@@ -52,13 +52,13 @@ class Grid:
         return rim.find(self.value, self.x, self.y, self.z)
 
     @property
-    def points(self) -> FloatArray:
+    def points(self) -> Doubles:
         """The nodes (x, y, z) as an array of shape (len(x), len(y), 3)."""
         x, y = np.meshgrid(self.x, self.y, indexing="ij")
         return np.stack((x, y, self.z), axis=-1)
 
     @property
-    def box(self) -> tuple[FloatArray, FloatArray]:
+    def box(self) -> tuple[Doubles, Doubles]:
         """The lowest and the highest corner of the box around the surface."""
         heights = self.z if self.rim is None else np.append(self.z, self.rim.points[:, 2])
         low = np.array((self.x[0], self.y[0], np.nanmin(heights)))
@@ -66,7 +66,7 @@ class Grid:
         return low, high
 
     @property
-    def whole(self) -> NDArray[np.bool_]:
+    def whole(self) -> Bools:
         """Which cells, (nx, ny), are part of the surface: the others are holes."""
         whole = _all_corners(np.isfinite(self.z))
         if self.limits is not None:
@@ -75,18 +75,18 @@ class Grid:
         return whole
 
     @property
-    def joined(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    def joined(self) -> tuple[Bools, Bools]:
         """Which neighbours along x, and along y, a line may join: not both sides of a pole."""
         return self._joined(self.z[:-1], self.z[1:]), self._joined(self.z[:, :-1], self.z[:, 1:])
 
-    def _joined(self, z1: FloatArray, z2: FloatArray) -> NDArray[np.bool_]:
+    def _joined(self, z1: Doubles, z2: Doubles) -> Bools:
         joined = np.isfinite(z1) & np.isfinite(z2)
         if self.limits is not None:
             low, high = self.limits
             joined &= ~((np.minimum(z1, z2) == low) & (np.maximum(z1, z2) == high))
         return joined
 
-    def loose_ends(self, every: int) -> tuple[FloatArray, NDArray[np.bool_]]:
+    def loose_ends(self, every: int) -> tuple[Doubles, Bools]:
         """Where lines of a mesh go on from their last node to the rim of a hole.
 
         Both ends of each piece, (m, 2, 3), and whether it belongs to a line of constant x.
@@ -100,9 +100,9 @@ class Grid:
         chosen = np.where(of_x, np.isin(x, self.x[i]), np.isin(y, self.y[j]))
         return pieces[chosen], of_x[chosen]
 
-    def lines(self, every: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def lines(self, every: int) -> tuple[Ints, Ints]:
         """Every so many nodes of x and of y, where a mesh has its lines; always the last."""
-        return some(len(self.x), every), some(len(self.y), every)
+        return every_nth(len(self.x), every), every_nth(len(self.y), every)
 
     def thinned(self, every: int) -> "Grid":
         """The same surface with every so many nodes of each axis, and always the last."""
@@ -112,15 +112,10 @@ class Grid:
         return Grid(self.x[i], self.y[j], self.z[np.ix_(i, j)], self.limits, self.value)
 
 
-def _all_corners(nodes: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _all_corners(nodes: Bools) -> Bools:
     """Which cells have all four corners among these nodes."""
     sides = nodes[:-1] & nodes[1:]
     return np.asarray(sides[:, :-1] & sides[:, 1:])
-
-
-def some(count: int, every: int) -> NDArray[np.int64]:
-    """Every so many of the numbers below count, and always the last."""
-    return np.unique(np.append(np.arange(0, count, every), count - 1))
 
 
 def sample(
@@ -179,7 +174,7 @@ def data(
     return Grid(np.sort(xs), np.sort(ys), heights, limits)
 
 
-def _axis(name: str, axis: Axis | None, count: int) -> FloatArray:
+def _axis(name: str, axis: Axis | None, count: int) -> Doubles:
     if axis is None:
         return np.arange(count, dtype=np.float64)
     nodes = np.asarray(axis, dtype=np.float64)
@@ -192,7 +187,7 @@ def _axis(name: str, axis: Axis | None, count: int) -> FloatArray:
     return nodes
 
 
-def _cut(z: FloatArray, limits: Interval | None) -> FloatArray:
+def _cut(z: Doubles, limits: Interval | None) -> Doubles:
     """Heights within the limits; without limits, infinities become NaN.
 
     What is larger than LARGEST counts as infinite, and what is smaller than 1 / LARGEST as 0, so
@@ -204,7 +199,7 @@ def _cut(z: FloatArray, limits: Interval | None) -> FloatArray:
     return np.where(np.abs(z) > LARGEST, np.nan, z)
 
 
-def evaluate(f: Function, x: FloatArray, y: FloatArray) -> FloatArray:
+def evaluate(f: Function, x: Doubles, y: Doubles) -> Doubles:
     """f at every point of two arrays of one shape, NaN where it has no value."""
     with np.errstate(all="ignore"):
         try:
@@ -217,7 +212,7 @@ def evaluate(f: Function, x: FloatArray, y: FloatArray) -> FloatArray:
     return z
 
 
-def _real(values: Any) -> FloatArray:
+def _real(values: Any) -> Doubles:
     if np.iscomplexobj(values):
         raise TypeError("f must return real numbers, not complex ones")
     return np.asarray(values, dtype=np.float64)
@@ -235,7 +230,7 @@ def _or_nan(f: Function) -> Callable[[float, float], float]:
     return value
 
 
-def _beside(f: Function, x: FloatArray, y: FloatArray, width: float, depth: float) -> FloatArray:
+def _beside(f: Function, x: Doubles, y: Doubles, width: float, depth: float) -> Doubles:
     """The value that f has all around each of these points, or NaN where there is no such value."""
     dx, dy = BESIDE[:, :1] * width, BESIDE[:, 1:] * depth
     with np.errstate(all="ignore"):

@@ -11,13 +11,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfaces.space.transforms import FloatArray
-from surfaces.visible.order import quads
+from surfaces.arrays import Bools, Doubles, Ints
+from surfaces.shape.cells import quads
 
-Ints = NDArray[np.int64]
-Value = Callable[[FloatArray, FloatArray], FloatArray]
+Value = Callable[[Doubles, Doubles], Doubles]
 """Heights at points; NaN where there is none."""
 
 HALVINGS = 12
@@ -31,7 +29,7 @@ eighth but for that does, or by so little of the surface's height."""
 class Rim:
     """Parts of cells at the rims of holes."""
 
-    points: FloatArray
+    points: Doubles
     """(r, 3): where lines of the grid end."""
     beside: Ints
     """(r,): the node at which each such line comes from the surface, in the flattened grid."""
@@ -41,7 +39,7 @@ class Rim:
     cell: Ints
     """(m,): which cell each is part of, in the flattened grid of cells."""
 
-    def triangles(self, nodes: FloatArray) -> FloatArray:
+    def triangles(self, nodes: Doubles) -> Doubles:
         """The parts as triangles in space, (2 m, 3, 3); `nodes` are the grid's, (n, 3)."""
         a, b, c, d = np.concatenate((nodes, self.points))[self.corners].swapaxes(0, 1)
         return np.concatenate((np.stack((a, b, c), axis=1), np.stack((a, c, d), axis=1)))
@@ -67,7 +65,7 @@ def _pieces(case: int) -> list[tuple[int, int, int, int]]:
 PIECES = [_pieces(case) if 0 < case < 15 else [] for case in range(16)]
 
 
-def find(value: Value, x: FloatArray, y: FloatArray, z: FloatArray) -> Rim:
+def find(value: Value, x: Doubles, y: Doubles, z: Doubles) -> Rim:
     """The rims of holes, NaN, in a function's heights z[i, j] at x[i], y[j]."""
     there = np.isfinite(z)
     index = np.arange(z.size).reshape(z.shape)
@@ -103,8 +101,8 @@ def find(value: Value, x: FloatArray, y: FloatArray, z: FloatArray) -> Rim:
 
 
 def _ends(
-    value: Value, x: FloatArray, y: FloatArray, z: FloatArray, node: Ints, hole: Ints
-) -> tuple[FloatArray, NDArray[np.bool_]]:
+    value: Value, x: Doubles, y: Doubles, z: Doubles, node: Ints, hole: Ints
+) -> tuple[Doubles, Bools]:
     """Where the surface ends between nodes and holes, (n, 3), and whether it does so there."""
     start, stop = (np.stack((x[i // len(y)], y[i % len(y)]), axis=-1) for i in (node, hole))
     way = stop - start

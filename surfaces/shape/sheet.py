@@ -13,22 +13,22 @@ from typing import Any
 
 import numpy as np
 
+from surfaces.arrays import Doubles
 from surfaces.shape.fields import Field, spread
 from surfaces.shape.grid import Function, Interval, evaluate
-from surfaces.space.transforms import FloatArray
+from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
 from surfaces.visible import painter
-from surfaces.visible.order import View
 
 
 @dataclass(frozen=True)
 class Sheet:
     """A surface as points over u and v, (nu+1, nv+1, 3); points that are not finite are holes."""
 
-    u: FloatArray
-    v: FloatArray
-    points: FloatArray
+    u: Doubles
+    v: Doubles
+    points: Doubles
 
     def field(self, color: str | Function) -> Field:
         """The field that ``color`` asks for: "z", or a function of u and v."""
@@ -39,7 +39,7 @@ class Sheet:
         return spread(evaluate(color, *np.meshgrid(self.u, self.v, indexing="ij")))
 
     @property
-    def box(self) -> tuple[FloatArray, FloatArray]:
+    def box(self) -> tuple[Doubles, Doubles]:
         """The lowest and the highest corner of the box around it."""
         return np.nanmin(self.points, axis=(0, 1)), np.nanmax(self.points, axis=(0, 1))
 
@@ -75,7 +75,7 @@ class SheetPicture:
 
     pen: Pen
     sheet: Sheet
-    value: FloatArray
+    value: Doubles
     """The field that its colours show, 0 to 1: (nu+1, nv+1)."""
     view: View
     palette: Palette
@@ -91,15 +91,15 @@ class SheetPicture:
         return self.cells()
 
     @cached_property
-    def _corners(self) -> FloatArray:
+    def _corners(self) -> Doubles:
         return self._cells.screen
 
-    def pick(self, px: float, py: float) -> FloatArray | None:
+    def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point at a pixel, or None."""
         cells = self._cells
         screen = self._corners - (px, py)
         near = (screen.min(axis=1) <= 0).all(axis=1) & (screen.max(axis=1) >= 0).all(axis=1)
-        hits: list[FloatArray] = []
+        hits: list[Doubles] = []
         for points, at in zip(cells.nodes[cells.corners[near]], screen[near], strict=True):
             for triangle in ([0, 1, 2], [0, 2, 3]):
                 # Weights that put the corners' mean at the pixel: none below zero means inside.

@@ -7,8 +7,9 @@ many pixels a unit of that box gets.
 
 import numpy as np
 
+from surfaces.arrays import Doubles
 from surfaces.space.mapping import Mapping, Projection
-from surfaces.space.transforms import FloatArray, compose, scaling, translation
+from surfaces.space.transforms import compose, scaling, translation
 
 Room = tuple[float, float, float, float]
 """Pixels at the left, the top, the right and the bottom."""
@@ -18,7 +19,7 @@ MARGIN = 0.05
 
 
 def fit(
-    box: tuple[FloatArray, FloatArray],
+    box: tuple[Doubles, Doubles],
     width: int,
     height: int,
     projection: Projection | None = None,
@@ -27,7 +28,7 @@ def fit(
     aspect: float = 1.0,
     turning: bool = False,
     labels: Room = (0, 0, 0, 0),
-) -> tuple[FloatArray, Projection]:
+) -> tuple[Doubles, Projection]:
     """Scale a box to fill a screen of width x height pixels, its centre in the middle.
 
     Returns a transform and a mapping.  The transform puts the box around (0, 0, 0), with x and y

@@ -23,7 +23,8 @@ from math import atan2, cos, hypot, inf, pi, sin, tan
 import numpy as np
 from numpy.typing import ArrayLike
 
-from surfaces.space.transforms import FloatArray, Point, affine, apply
+from surfaces.arrays import Doubles
+from surfaces.space.transforms import Point, affine, apply
 
 Arrow = tuple[float, float]
 
@@ -57,13 +58,13 @@ class Projection(ABC):
             raise ValueError(f"scale must be three finite numbers above 0, not {self.scale!r}")
 
     @property
-    def M32(self) -> FloatArray:
+    def M32(self) -> Doubles:
         """The 3x2 matrix of (2), with rho_z as in (4): what is seen, without the z kept beside."""
-        matrix: FloatArray = np.array(self.arrows) * np.array(self.scale)[:, np.newaxis]
+        matrix: Doubles = np.array(self.arrows) * np.array(self.scale)[:, np.newaxis]
         return matrix
 
     @property
-    def M33(self) -> FloatArray:
+    def M33(self) -> Doubles:
         """The invertible 3x3 matrix of (7): [x y z] @ M33 = [x'-x0  y'-y0  z].
 
         The paper's has the determinant -ax ay cos(theta), whatever rho_z is.  (In (8) the paper
@@ -72,23 +73,23 @@ class Projection(ABC):
         return np.column_stack((self.M32, (0.0, 0.0, 1.0)))
 
     @property
-    def M33_inverse(self) -> FloatArray:
+    def M33_inverse(self) -> Doubles:
         """The inverse of M33."""
         return np.asarray(np.linalg.inv(self.M33), dtype=np.float64)
 
     @property
-    def M4(self) -> FloatArray:
+    def M4(self) -> Doubles:
         """M33 and the origin in one matrix: [x y z 1] @ M4 = [x' y' z 1], which is (9)."""
         return affine(self.M33, (*self.origin, 0.0))
 
     @property
-    def M4_inverse(self) -> FloatArray:
+    def M4_inverse(self) -> Doubles:
         """The inverse of M4: [x' y' z 1] @ M4_inverse = [x y z 1], which is (14)."""
         inverse = self.M33_inverse
         return affine(inverse, -np.array((*self.origin, 0.0)) @ inverse)
 
     @property
-    def eye(self) -> FloatArray:
+    def eye(self) -> Doubles:
         """The direction in space that points at the viewer: (1, s, c) in the paper's view.
 
         Points P and P + t eye fall on the same pixel, and the one with the larger t is nearer: eye
@@ -97,21 +98,21 @@ class Projection(ABC):
         above zero, so that of two points on one pixel the nearer has the larger x, y and z.
         """
         right, down = self.M32.T
-        eye: FloatArray = np.cross(down, right)
+        eye: Doubles = np.cross(down, right)
         return eye
 
-    def project(self, points: ArrayLike) -> FloatArray:
+    def project(self, points: ArrayLike) -> Doubles:
         """Map points (x, y, z), shape (..., 3), to triples (x', y', z) of the same shape: (1), (4).
 
         x' and y' are pixels but stay floats: rounding is for the pen, at the very end.
         """
         return apply(points, self.M4)
 
-    def unproject(self, triples: ArrayLike) -> FloatArray:
+    def unproject(self, triples: ArrayLike) -> Doubles:
         """Map triples (x', y', z), shape (..., 3), back to points (x, y, z): (6), (15)."""
         return apply(triples, self.M4_inverse)
 
-    def screen_matrix(self, T: FloatArray) -> FloatArray:
+    def screen_matrix(self, T: Doubles) -> Doubles:
         """The paper's M' (16): what the transform T of space does to triples (x', y', z).
 
         A 4x4 matrix for ``apply`` and ``power``; n times T is n times M'.  The paper multiplies
@@ -155,7 +156,7 @@ class Mapping(Projection):
         return (-sin(self.theta), cos(self.theta)), (1.0, 0.0), (0.0, -self.rho_z)
 
     @property
-    def M33_inverse(self) -> FloatArray:
+    def M33_inverse(self) -> Doubles:
         """The inverse of M33 in closed form: (12), with the rho_z and scales it leaves out."""
         ax, ay, az = self.scale
         c, t = cos(self.theta), tan(self.theta)

@@ -9,16 +9,17 @@ from collections.abc import Iterator
 from math import cos, hypot, sin
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-FloatArray = NDArray[np.float64]
+from surfaces.arrays import Doubles
+
 Point = tuple[float, float, float]
 
 ORIGIN: Point = (0.0, 0.0, 0.0)
 AXES: dict[str, Point] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
-def affine(linear: ArrayLike, shift: ArrayLike = ORIGIN) -> FloatArray:
+def affine(linear: ArrayLike, shift: ArrayLike = ORIGIN) -> Doubles:
     """The transform p -> p @ linear + shift, as one 4x4 matrix.
 
     ``linear`` is 3x3 (a shear, a reflection, anything), ``shift`` three numbers.
@@ -29,12 +30,12 @@ def affine(linear: ArrayLike, shift: ArrayLike = ORIGIN) -> FloatArray:
     return T
 
 
-def translation(dx: float, dy: float, dz: float) -> FloatArray:
+def translation(dx: float, dy: float, dz: float) -> Doubles:
     """Move by (dx, dy, dz)."""
     return affine(np.eye(3), (dx, dy, dz))
 
 
-def scaling(sx: float, sy: float, sz: float, about: Point = ORIGIN) -> FloatArray:
+def scaling(sx: float, sy: float, sz: float, about: Point = ORIGIN) -> Doubles:
     """Stretch by sx, sy, sz along the axes; the point ``about`` stays where it is.
 
     A factor below zero reflects; a factor of zero flattens, which nothing can undo.
@@ -42,7 +43,7 @@ def scaling(sx: float, sy: float, sz: float, about: Point = ORIGIN) -> FloatArra
     return _keeping(np.diag((sx, sy, sz)), about)
 
 
-def rotation(axis: str | Point, angle: float, about: Point = ORIGIN) -> FloatArray:
+def rotation(axis: str | Point, angle: float, about: Point = ORIGIN) -> Doubles:
     """Turn by ``angle`` radians about an axis through the point ``about``.
 
     ``axis`` is "x", "y", "z" or any vector (x, y, z) but (0, 0, 0).  Seen from the tip of the axis
@@ -56,7 +57,7 @@ def rotation(axis: str | Point, angle: float, about: Point = ORIGIN) -> FloatArr
     return _keeping(along + cos(angle) * (np.eye(3) - along) + sin(angle) * across, about)
 
 
-def compose(*transforms: FloatArray) -> FloatArray:
+def compose(*transforms: Doubles) -> Doubles:
     """One transform that does all of these, the first one first."""
     T = np.eye(4)
     for step in transforms:
@@ -64,7 +65,7 @@ def compose(*transforms: FloatArray) -> FloatArray:
     return T
 
 
-def power(T: FloatArray, n: int) -> FloatArray:
+def power(T: Doubles, n: int) -> Doubles:
     """The transform T done n times over; for n below zero, undone.
 
     By repeated squaring: 11 products for n = 360.  A rotation needs none at all, for
@@ -74,7 +75,7 @@ def power(T: FloatArray, n: int) -> FloatArray:
     return np.linalg.matrix_power(T, n)
 
 
-def powers(T: FloatArray) -> Iterator[FloatArray]:
+def powers(T: Doubles) -> Iterator[Doubles]:
     """T, then T twice, then T three times, and so on, at one product a step.
 
     The "incremental multiplication" at the end of the section on transformations: from one
@@ -86,12 +87,12 @@ def powers(T: FloatArray) -> Iterator[FloatArray]:
         done = done @ T
 
 
-def apply(points: ArrayLike, T: FloatArray) -> FloatArray:
+def apply(points: ArrayLike, T: Doubles) -> Doubles:
     """Transform points of shape (..., 3), or screen triples by a screen matrix; floats return."""
     return np.asarray(points, dtype=np.float64) @ T[:3, :3] + T[3, :3]
 
 
-def _keeping(linear: FloatArray, fixed: Point) -> FloatArray:
+def _keeping(linear: Doubles, fixed: Point) -> Doubles:
     """Apply ``linear`` so that the point ``fixed`` stays: the shift is q - q @ linear."""
     return affine(linear, np.asarray(fixed) - np.asarray(fixed) @ linear)
 

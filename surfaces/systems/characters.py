@@ -10,7 +10,7 @@ It has nothing but putpixel and outtextxy: lines and polygons come out of pixels
 # Colours as characters. 16 to 175 are the upper side's ramp, 176 to 255 the under side's.
 UPPER = ".:-=+*o#%@"
 UNDER = "'`,;"
-FIRST, MIDDLE, COLOURS = 16, 176, 256
+FIRST, MIDDLE, COLORS = 16, 176, 256
 
 
 class Text:
@@ -34,12 +34,12 @@ class Text:
 
     def getmaxcolor(self) -> int:
         """The largest colour, 255."""
-        return COLOURS - 1
+        return COLORS - 1
 
     def putpixel(self, x: int, y: int, color: int) -> None:
         """A character for a colour: a space for 0, a star for the everyday colours."""
         if color >= MIDDLE:
-            shown = UNDER[(color - MIDDLE) * len(UNDER) // (COLOURS - MIDDLE)]
+            shown = UNDER[(color - MIDDLE) * len(UNDER) // (COLORS - MIDDLE)]
         elif color >= FIRST:
             shown = UPPER[(color - FIRST) * len(UPPER) // (MIDDLE - FIRST)]
         else:

@@ -14,9 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from surfaces.arrays import Bools, Ints
 from surfaces.systems.pen import Pen
-
-Ints = NDArray[np.int64]
 
 # Palette entries of the upper and of the under side where there are 256.
 UPPER, UNDER = np.arange(16, 176), np.arange(176, 256)
@@ -78,48 +77,48 @@ GREYS = np.arange(2)
 class Palette:
     """How values become palette entries on a screen of so many colours."""
 
-    colours: int
+    colors: int
     ramp: Ramp
     under: Ramp
     dither: bool
 
     def load(self, pen: Pen) -> None:
         """Load the ramps into the palette, where there is room for them."""
-        if self.colours == 256:
+        if self.colors == 256:
             pen.palette(UPPER, self.ramp.mix(len(UPPER)))
             pen.palette(UNDER, self.under.mix(len(UNDER)))
 
     def entries(self, under: bool = False) -> Ints:
         """The palette entries from the least value to the greatest."""
-        if self.colours == 256:
+        if self.colors == 256:
             return UNDER if under else UPPER
-        if self.colours == 16:
+        if self.colors == 16:
             return np.array((self.under if under else self.ramp).sixteen)
-        return GREYS if self.dither and self.colours == 2 else FEW[self.colours]
+        return GREYS if self.dither and self.colors == 2 else FEW[self.colors]
 
     def shade(
-        self, value: NDArray[np.floating], x: Ints, y: Ints, under: bool | NDArray[np.bool_] = False
+        self, value: NDArray[np.floating], x: Ints, y: Ints, under: bool | Bools = False
     ) -> Ints:
         """The palette entry of values at pixels x, y: 0 for the least, 1 for the greatest."""
         if isinstance(under, np.ndarray):
             return np.where(under, self.shade(value, x, y, True), self.shade(value, x, y))
         entries = self.entries(under)
-        if self.dither and self.colours < 256:
+        if self.dither and self.colors < 256:
             band = value * (len(entries) - 1) + DITHER[y & 3, x & 3]
         else:
             band = value * len(entries)
         shades: Ints = entries.take(np.clip(band, 0, len(entries) - 1).astype(np.int64))
         return shades
 
-    def bands(self, value: NDArray[np.floating], under: bool | NDArray[np.bool_] = False) -> Ints:
+    def bands(self, value: NDArray[np.floating], under: bool | Bools = False) -> Ints:
         """The palette entry of values without a pixel: never dithered."""
         nowhere = np.zeros(value.shape, dtype=np.int64)
         return replace(self, dither=False).shade(value, nowhere, nowhere, under)
 
 
-def palette(colours: int, ramp: str | Ramp, under: str | Ramp, dither: bool) -> Palette:
+def palette(colors: int, ramp: str | Ramp, under: str | Ramp, dither: bool) -> Palette:
     """A palette from names of ramps or ramps; ValueError for an unknown name."""
-    return Palette(colours, _named("ramp", ramp), _named("under", under), dither)
+    return Palette(colors, _named("ramp", ramp), _named("under", under), dither)
 
 
 def _named(what: str, ramp: str | Ramp) -> Ramp:

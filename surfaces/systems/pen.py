@@ -13,13 +13,11 @@ This is the one file of `surfaces` that imports `bgi`, and it uses nothing but t
 from typing import Any, Protocol, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 import bgi
-from surfaces.space.transforms import FloatArray
+from surfaces.arrays import Doubles, Ints
 from surfaces.systems import trace
 
-Ints = NDArray[np.int64]
 WHITE = 15
 
 
@@ -59,7 +57,7 @@ class Pen:
             view = self.system.getviewsettings()
             self.width = view.right - view.left + 1
             self.height = view.bottom - view.top + 1
-        self.colours: int = self.system.getmaxcolor() + 1
+        self.colors: int = self.system.getmaxcolor() + 1
         self.character = int(getattr(self.system, "character", 8))
 
     @property
@@ -71,13 +69,13 @@ class Pen:
         return float(getattr(self.system, "aspect", usual))
 
     @property
-    def colour(self) -> int:
+    def color(self) -> int:
         """The current drawing colour; WHITE, where a system has no such thing."""
         return int(self.system.getcolor()) if self._has("getcolor") else self.ink(WHITE)
 
-    def ink(self, colour: int) -> int:
+    def ink(self, color: int) -> int:
         """One of graphics.h's sixteen colours, or the largest that the system has."""
-        return min(colour, self.colours - 1)
+        return min(color, self.colors - 1)
 
     def _has(self, *names: str) -> bool:
         return all(hasattr(self.system, name) for name in names)
@@ -90,32 +88,32 @@ class Pen:
             for entry, (r, g, b) in zip(entries.tolist(), rgb.tolist(), strict=True):
                 self.system.setrgbpalette(entry, r, g, b)
 
-    def pixels(self, x: Ints, y: Ints, colours: Ints | int) -> None:
+    def pixels(self, x: Ints, y: Ints, colors: Ints | int) -> None:
         """Set pixels, in order; what lies off the screen is left out."""
         if self.arrays:
-            self.system.putpixel(x, y, colours)
+            self.system.putpixel(x, y, colors)
             return
         inside = (x >= 0) & (x < self.width) & (y >= 0) & (y < self.height)
-        shades = np.broadcast_to(colours, x.shape)
+        shades = np.broadcast_to(colors, x.shape)
         for pixel in zip(
             x[inside].tolist(), y[inside].tolist(), shades[inside].tolist(), strict=True
         ):
             self.system.putpixel(*pixel)
 
-    def lines(self, starts: FloatArray, ends: FloatArray, colour: int) -> None:
+    def lines(self, starts: Doubles, ends: Doubles, color: int) -> None:
         """Lines between points (n, 2) of the screen, cut off at its edges."""
         a, b, _ = trace.clip(starts, ends, self.width, self.height)
         if not self._has("line"):
             x, y, _ = trace.line_pixels(a, b)
-            self.pixels(x, y, colour)
+            self.pixels(x, y, color)
         elif self.arrays:
-            self.system.line(a[:, 0], a[:, 1], b[:, 0], b[:, 1], color=colour)
+            self.system.line(a[:, 0], a[:, 1], b[:, 0], b[:, 1], color=color)
         else:
-            self.system.setcolor(colour)
+            self.system.setcolor(color)
             for ends_of_line in np.concatenate((a, b), axis=1).tolist():
                 self.system.line(*ends_of_line)
 
-    def polygons(self, corners: FloatArray, fills: Ints | int, outline: int) -> None:
+    def polygons(self, corners: Doubles, fills: Ints | int, outline: int) -> None:
         """Solid polygons, corners (n, k, 2), one after another; outline 0 is not drawn."""
         points = trace.rounded(corners)
         if self.arrays and self._has("fillpoly"):
@@ -141,10 +139,10 @@ class Pen:
             first, last, _ = trace.clip(sides[:, 0], sides[:, 1], self.width, self.height)
             self.pixels(*trace.line_pixels(first, last)[:2], outline)
 
-    def text(self, x: float, y: float, text: str, colour: int) -> None:
+    def text(self, x: float, y: float, text: str, color: int) -> None:
         """Write, the upper left corner at x, y, where the system can write."""
         if self._has("outtextxy", "setcolor"):
-            before = self.colour
-            self.system.setcolor(colour)
+            before = self.color
+            self.system.setcolor(color)
             self.system.outtextxy(round(x), round(y), text)
             self.system.setcolor(before)

@@ -30,7 +30,7 @@ class Svg:
         self._size = width, height
         self._palette = [*SIXTEEN, *("#ffffff",) * 240]
         self._palette[0] = background
-        self._colour, self._fill = 15, 15
+        self._color, self._fill = 15, 15
         self._shapes: list[str] = []
 
     def getmaxx(self) -> int:
@@ -47,11 +47,11 @@ class Svg:
 
     def getcolor(self) -> int:
         """The drawing colour."""
-        return self._colour
+        return self._color
 
     def setcolor(self, color: int) -> None:
         """Set the colour of lines, outlines and text."""
-        self._colour = color
+        self._color = color
 
     def setfillstyle(self, pattern: int, color: int) -> None:
         """Set the colour of fills; patterns are all solid."""
@@ -68,19 +68,19 @@ class Svg:
 
     def line(self, x1: int, y1: int, x2: int, y2: int) -> None:
         """A line of one unit's width."""
-        ink = self._palette[self._colour]
+        ink = self._palette[self._color]
         self._shapes.append(f'<path d="M{x1} {y1}L{x2} {y2}" stroke="{ink}"/>')
 
     def fillpoly(self, points: Sequence[Pixel]) -> None:
         """A polygon; with no outline (colour 0) it has one of its own colour, to leave no gap."""
         corners = "L".join(f"{x} {y}" for x, y in points)
         fill = self._palette[self._fill]
-        ink = self._palette[self._colour] if self._colour else fill
+        ink = self._palette[self._color] if self._color else fill
         self._shapes.append(f'<path d="M{corners}z" fill="{fill}" stroke="{ink}"/>')
 
     def outtextxy(self, x: int, y: int, text: str) -> None:
         """Text whose upper left corner is at x, y, 8 units wide a character."""
-        ink = self._palette[self._colour]
+        ink = self._palette[self._color]
         self._shapes.append(
             f'<text x="{x}" y="{y + 7}" textLength="{8 * len(text)}" fill="{ink}">'
             f"{escape(text)}</text>"

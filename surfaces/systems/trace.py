@@ -10,11 +10,9 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfaces.space.transforms import FloatArray
+from surfaces.arrays import Doubles, Ints
 
-Ints = NDArray[np.int64]
 Pixel = tuple[int, int]
 
 # Added to a half, it tells where that is rounded to. No other place of a line on a screen, half a
@@ -24,7 +22,7 @@ TIE = 2.0**-16
 FAR = 2**24
 
 
-def rounded(points: FloatArray) -> Ints:
+def rounded(points: Doubles) -> Ints:
     """The nearest pixels to points of the screen.  (graphics.h would cut the fraction off.)"""
     return np.floor(np.clip(points, -FAR, FAR) + 0.5).astype(np.int64)
 
@@ -49,7 +47,7 @@ def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, I
     return x.astype(np.int64), y.astype(np.int64), line
 
 
-def clip(starts: FloatArray, ends: FloatArray, width: int, height: int) -> tuple[Ints, Ints, Ints]:
+def clip(starts: Doubles, ends: Doubles, width: int, height: int) -> tuple[Ints, Ints, Ints]:
     """The parts of lines inside the screen: the pixels at both ends, (n, 2), and whose each is."""
     room = np.array((width - 1.0, height - 1.0))
     if _inside(starts, room) and _inside(ends, room):
@@ -72,12 +70,12 @@ def clip(starts: FloatArray, ends: FloatArray, width: int, height: int) -> tuple
     return _nearest(start), _nearest(end), kept
 
 
-def _nearest(points: FloatArray) -> Ints:
+def _nearest(points: Doubles) -> Ints:
     """`rounded` for points of the screen: of what is not negative, truncation is the floor."""
     return (points + 0.5).astype(np.int64)
 
 
-def _inside(points: FloatArray, room: FloatArray) -> bool:
+def _inside(points: Doubles, room: Doubles) -> bool:
     x, y = points[:, 0], points[:, 1]
     if not len(points):
         return True

@@ -7,13 +7,10 @@ row, its depth and its value running evenly, and each pixel keeps the nearest it
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfaces.space.transforms import FloatArray
+from surfaces.arrays import Bools, Doubles, Ints
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
-
-Ints = NDArray[np.int64]
 
 PART = 2048
 """Cells at a time: what is made of them stays in the cache."""
@@ -28,9 +25,7 @@ class DepthBuffer:
         self._pen, self._palette = pen, palette
         self._nearest = np.full(pen.width * pen.height, -1, dtype=np.int64)
 
-    def add(
-        self, screen: FloatArray, depth: FloatArray, value: FloatArray, under: NDArray[np.bool_]
-    ) -> None:
+    def add(self, screen: Doubles, depth: Doubles, value: Doubles, under: Bools) -> None:
         """Offer cells: corners (m, 4, 2) on the screen, depths 0 to 1 and values (m, 4).
 
         ``under``, (m,): whether the under side is seen.
@@ -43,7 +38,7 @@ class DepthBuffer:
             for triangle in ((0, 1, 2), (0, 2, 3)):
                 self._triangles(corners[:, triangle], under[part])
 
-    def _triangles(self, corners: FloatArray, under: NDArray[np.bool_]) -> None:
+    def _triangles(self, corners: Doubles, under: Bools) -> None:
         """Offer triangles: corners (m, 3, 4), which are x, y, depth and value."""
         a, ab, ac = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         area = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
@@ -67,7 +62,7 @@ class DepthBuffer:
         key = (np.clip(depth, 0, 1) * NEARNESS).astype(np.int64) << 8 | shade
         np.maximum.at(self._nearest, y * self._pen.width + x, key)
 
-    def _rows(self, corners: FloatArray) -> tuple[Ints, Ints, FloatArray, FloatArray]:
+    def _rows(self, corners: Doubles) -> tuple[Ints, Ints, Doubles, Doubles]:
         """The rows of the screen that triangles meet: row, whose, and where it begins and ends."""
         x, y = corners[:, :, 0].T, corners[:, :, 1].T
         top = np.ceil(np.maximum(y.min(axis=0), 0)).astype(np.int64)

@@ -10,12 +10,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfaces.shape.grid import some
-from surfaces.space.transforms import FloatArray
+from surfaces.arrays import Bools, Doubles, Ints, Ints32, Singles
+from surfaces.shape.cells import every_nth
 from surfaces.systems import trace
-from surfaces.visible.sweep import Block, Floats, Ints, Sweep
+from surfaces.visible.sweep import Block, Sweep
 
 # How far, in pixels, a line's pixel may lie behind the horizon and still be seen.
 SLACK = np.float32(0.5)
@@ -28,13 +27,13 @@ class Pixels(NamedTuple):
 
     x: Ints
     y: Ints
-    value: Floats
+    value: Singles
     """The value of the field there: it runs evenly from line to line."""
     under: bool
     """Whether the under side is seen."""
 
 
-def fill(sweep: Sweep, field: NDArray[np.float64]) -> Iterator[Pixels]:
+def fill(sweep: Sweep, field: Doubles) -> Iterator[Pixels]:
     """Every visible pixel with the value of a field given at the grid's nodes, a few at a time."""
     values = sweep.oriented(field).ravel()
     for phase in range(sweep.phases):
@@ -57,7 +56,7 @@ def fill(sweep: Sweep, field: NDArray[np.float64]) -> Iterator[Pixels]:
                 yield Pixels(x, y, shade, rising != sweep.rising_is_upper)
 
 
-def _edges(block: Block, passed: NDArray[np.int32]) -> Iterator[tuple[bool, NDArray[np.int32]]]:
+def _edges(block: Block, passed: Ints32) -> Iterator[tuple[bool, Ints32]]:
     """Where the horizon ends after each line, as a number of rows passed: it never grows.
 
     First where it rises; then where it falls, which is rising with the sign reversed.
@@ -76,11 +75,11 @@ class Runs(NamedTuple):
 
     line: Ints
     """The strip's farther line, in an array over columns and lines; the nearer one precedes it."""
-    pixels: NDArray[np.int32]
+    pixels: Ints32
     """How many pixels."""
 
 
-def _gained(edge: NDArray[np.int32]) -> tuple[Ints, Ints, Runs]:
+def _gained(edge: Ints32) -> tuple[Ints, Ints, Runs]:
     """The pixels by which strips move the horizon, column by column: rows passed, column, runs."""
     counts = np.zeros_like(edge)
     np.subtract(edge[:, :-1], edge[:, 1:], out=counts[:, 1:])
@@ -93,7 +92,7 @@ def _gained(edge: NDArray[np.int32]) -> tuple[Ints, Ints, Runs]:
     return place, u, Runs(line, counts.ravel().take(line))
 
 
-def _shade(v: Floats, value: Floats, runs: Runs, rows: Ints) -> Floats:
+def _shade(v: Singles, value: Singles, runs: Runs, rows: Ints) -> Singles:
     """The value at every pixel: from line to line it is an even slope."""
     flat_v, flat_value = v.ravel(), value.ravel()
     v1, value1 = flat_v.take(runs.line - 1), flat_value.take(runs.line - 1)
@@ -116,7 +115,7 @@ class Horizon:
             self._upper[block.columns] = block.upper
             self._lower[block.columns] = block.lower
 
-    def seen(self, x: Ints, y: Ints, line: Ints) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    def seen(self, x: Ints, y: Ints, line: Ints) -> tuple[Bools, Bools]:
         """Which pixels, on the screen, are above and which below what hides them.
 
         ``line`` is the nearer line of the strip that each lies in: with the lines up to this one
@@ -133,9 +132,9 @@ class Horizon:
 class Segments(NamedTuple):
     """Short straight lines on the surface, as the screen sees them."""
 
-    starts: FloatArray
+    starts: Doubles
     """(n, 2)"""
-    ends: FloatArray
+    ends: Doubles
     line: Ints
     """The nearer line of the strip that each lies in."""
     joined: bool = False
@@ -147,17 +146,17 @@ def mesh(sweep: Sweep, x_every: int | None, y_every: int | None) -> Iterator[Seg
     across, along = (y_every, x_every) if sweep.of_y else (x_every, y_every)
     lines, nodes = sweep.shape
     if across:
-        chosen = some(lines, across)
+        chosen = every_nth(lines, across)
         if sweep.reversed:  # the same lines, whichever is the nearest
             chosen = lines - 1 - chosen
         points = sweep.points(chosen, np.arange(nodes))
         yield from _chains(np.moveaxis(points, 1, 0), np.maximum(chosen - 1, 0)[None])
     if along:
-        points = sweep.points(np.arange(lines), some(nodes, along))
+        points = sweep.points(np.arange(lines), every_nth(nodes, along))
         yield from _chains(points, np.arange(lines - 1)[:, None])
 
 
-def _chains(points: FloatArray, line: Ints) -> Iterator[Segments]:
+def _chains(points: Doubles, line: Ints) -> Iterator[Segments]:
     """The segments of lines from point to point, (points, lines, 2), and where each line ends."""
     starts, ends = points[:-1].reshape(-1, 2), points[1:].reshape(-1, 2)
     owners = np.broadcast_to(line, (len(points) - 1, points.shape[1]))
@@ -167,7 +166,7 @@ def _chains(points: FloatArray, line: Ints) -> Iterator[Segments]:
 
 def visible(
     sweep: Sweep, horizon: Horizon, segments: Segments
-) -> Iterator[tuple[Ints, Ints, NDArray[np.bool_]]]:
+) -> Iterator[tuple[Ints, Ints, Bools]]:
     """The visible pixels of lines on the surface: x, y, and whether the under side is seen."""
     width, height = sweep.size[::-1] if sweep.lying else sweep.size
     for start in range(0, len(segments.line), PART):

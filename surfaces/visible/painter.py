@@ -11,18 +11,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from surfaces.arrays import Bools, Doubles, Ints
+from surfaces.shape.cells import every_nth, quads
 from surfaces.shape.fields import Field
-from surfaces.shape.grid import Grid, some
+from surfaces.shape.grid import Grid
 from surfaces.shape.rim import Rim
-from surfaces.space.transforms import FloatArray, apply
+from surfaces.space.transforms import apply
+from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
 from surfaces.visible.depth import DepthBuffer
-from surfaces.visible.order import View, back_to_front, quads
+from surfaces.visible.order import back_to_front
 
-Ints = NDArray[np.int64]
 BACKGROUND = 0
 # Outlines in the background's colour are not drawn by fillpoly: DARKGRAY stands in.
 DARK = 8
@@ -32,20 +33,20 @@ DARK = 8
 class Cells:
     """Cells of surfaces, in painting order: the nearest last."""
 
-    nodes: FloatArray
+    nodes: Doubles
     """(k, 3): the nodes in space."""
-    values: FloatArray
+    values: Doubles
     """(k,): the field there, 0 to 1."""
     corners: Ints
     """(m, 4): for each cell its nodes, counterclockwise as seen from the upper side."""
     view: View
 
     @property
-    def screen(self) -> FloatArray:
+    def screen(self) -> Doubles:
         """(m, 4, 2): where the corners appear."""
         return apply(self.nodes, self.view.screen)[:, :2][self.corners]
 
-    def under(self, screen: FloatArray) -> NDArray[np.bool_]:
+    def under(self, screen: Doubles) -> Bools:
         """(m,): whether the under side is seen, where the corners appear as in `screen`."""
         (ax, ay), (bx, by) = (screen[:, 2] - screen[:, 0]).T, (screen[:, 3] - screen[:, 1]).T
         # Counterclockwise in space is clockwise on the screen, or not: as the axes are drawn.
@@ -86,7 +87,7 @@ def _with_rims(
     grids: Sequence[Grid],
     fields: Sequence[Field],
     index: Ints,
-    there: NDArray[np.bool_],
+    there: Bools,
 ) -> Cells:
     """Add the parts of cells at the rims of holes, each where its cell is in the painter's order.
 
@@ -125,9 +126,9 @@ def _with_rim(
     return more, orders[sequence]
 
 
-def of_points(points: FloatArray, value: FloatArray, view: View, every: int) -> Cells:
+def of_points(points: Doubles, value: Doubles, view: View, every: int) -> Cells:
     """The cells of a sheet of points, (nu+1, nv+1, 3), by depth; those with a hole left out."""
-    i, j = (some(count, every) for count in value.shape)
+    i, j = (every_nth(count, every) for count in value.shape)
     nodes = points[np.ix_(i, j)].reshape(-1, 3)
     corners = quads(np.arange(len(nodes)).reshape(len(i), len(j), 1))[..., 0]
     near = (nodes @ view.eye)[corners].mean(axis=2)
@@ -162,18 +163,18 @@ def shade(pen: Pen, palette: Palette, cells: Cells) -> None:
 
 def wire(
     pen: Pen,
-    points: FloatArray,
+    points: Doubles,
     view: View,
     every: int,
     ink: int,
-    joined: tuple[NDArray[np.bool_], NDArray[np.bool_]] | None = None,
+    joined: tuple[Bools, Bools] | None = None,
 ) -> None:
     """All lines of a sheet of points, (nu+1, nv+1, 3), hidden or not.
 
     `joined` says which neighbours along u, and along v, a line joins: all, if None.
     """
     nodes = apply(points, view.screen)[..., :2]
-    i, j = (some(count, every) for count in points.shape[:2])
+    i, j = (every_nth(count, every) for count in points.shape[:2])
     across, along = nodes[i], nodes[:, j]
     starts = np.concatenate((across[:, :-1].reshape(-1, 2), along[:-1].reshape(-1, 2)))
     ends = np.concatenate((across[:, 1:].reshape(-1, 2), along[1:].reshape(-1, 2)))

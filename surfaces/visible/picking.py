@@ -11,10 +11,10 @@ from functools import cached_property
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfaces.space.transforms import FloatArray, apply
-from surfaces.visible.order import View
+from surfaces.arrays import Bools, Doubles
+from surfaces.space.transforms import apply
+from surfaces.space.view import View
 from surfaces.visible.sweep import Sweep
 
 # A pixel on the surface's outline may have its centre just outside: then look around, so far.
@@ -25,11 +25,11 @@ AROUND = sorted(product((0.0, 0.5, -0.5), repeat=2), key=lambda way: abs(way[0])
 class Triangles:
     """Triangles of a surface, in space (m, 3, 3) and on the screen (m, 3, 2)."""
 
-    space: FloatArray
-    screen: FloatArray
+    space: Doubles
+    screen: Doubles
 
     @cached_property
-    def _around(self) -> tuple[FloatArray, FloatArray]:
+    def _around(self) -> tuple[Doubles, Doubles]:
         return self.screen.min(axis=1), self.screen.max(axis=1)
 
     def near(self, px: float, py: float) -> "Triangles":
@@ -39,7 +39,7 @@ class Triangles:
         near = np.flatnonzero(((low < here + 1) & (high > here - 1)).all(axis=1))
         return Triangles(self.space[near], self.screen[near])
 
-    def hits(self, px: float, py: float) -> FloatArray:
+    def hits(self, px: float, py: float) -> Doubles:
         """Their points at a place of the screen, (n, 3)."""
         a, b, c = self.screen.swapaxes(0, 1)
         (bx, by), (cx, cy), (x, y) = (b - a).T, (c - a).T, ((px, py) - a).T
@@ -48,18 +48,18 @@ class Triangles:
         u, v = (x * cy - y * cx) / area, (bx * y - by * x) / area
         hit = np.flatnonzero((u >= 0) & (v >= 0) & (u + v <= 1))
         start, to_b, to_c = self.space[hit].swapaxes(0, 1)
-        found: FloatArray = start + u[hit, None] * (to_b - start) + v[hit, None] * (to_c - start)
+        found: Doubles = start + u[hit, None] * (to_b - start) + v[hit, None] * (to_c - start)
         return found
 
 
 def pick(
     sweeps: Sequence[Sweep],
-    holes: Sequence[NDArray[np.bool_]],
+    holes: Sequence[Bools],
     rims: Triangles,
     view: View,
     px: float,
     py: float,
-) -> FloatArray | None:
+) -> Doubles | None:
     """The nearest point (x, y, z) of height fields at a pixel, or within half a pixel; or None.
 
     ``holes`` says for each of them which of its cells are not there, or not whole; what there is of
@@ -82,7 +82,7 @@ def pick(
     return None
 
 
-def _first(points: FloatArray, sweep: Sweep, hole: NDArray[np.bool_]) -> FloatArray | None:
+def _first(points: Doubles, sweep: Sweep, hole: Bools) -> Doubles | None:
     """The first of some points, the nearest first, that does not lie in a hole."""
     for point in points:
         i = np.clip(np.searchsorted(sweep.grid.x, point[0]) - 1, 0, hole.shape[0] - 1)

@@ -9,13 +9,12 @@ points are few, it is quick enough.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfaces.space.transforms import FloatArray
+from surfaces.arrays import Bools, Doubles
 from surfaces.visible.sweep import BLOCK, Sweep
 
 
-def seen(sweeps: Sequence[Sweep], points: FloatArray) -> NDArray[np.bool_]:
+def seen(sweeps: Sequence[Sweep], points: Doubles) -> Bools:
     """Which points (m, 3) of the surfaces no strip hides; a strip of its own cell never does."""
     found = np.ones(len(points), dtype=bool)
     for sweep in sweeps:

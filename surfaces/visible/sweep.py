@@ -19,14 +19,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from surfaces.arrays import Bools, Doubles, Ints, Ints32, Singles
 from surfaces.shape.grid import Grid
-from surfaces.space.transforms import FloatArray, apply
-from surfaces.visible.order import View
-
-Floats = NDArray[np.float32]
-Ints = NDArray[np.int64]
+from surfaces.space.transforms import apply
+from surfaces.space.view import View
 
 # Entries of a block of columns: what is made of them stays in the cache, and below the size at
 # which an allocator asks the system for fresh memory each time.
@@ -41,41 +38,41 @@ NO_SHIFT = 0.01
 PHASES = 3
 
 
-class Rim(NamedTuple):
+class Border(NamedTuple):
     """Where columns leave the grid between two lines; the crossing stands in for a line missed."""
 
     column: Ints
     line: Ints
     before: Ints
-    """The node on the rim before the crossing, and the node behind it, in a flattened field."""
+    """The node on the border before the crossing, and the node behind it, in a flattened field."""
     behind: Ints
-    part: Floats
+    part: Singles
     """How far the crossing is from the one to the other: 0 to 1."""
-    s: FloatArray
+    s: Doubles
     """Where it lies between the lines."""
 
 
 class Crossings(NamedTuple):
     """Where columns meet the lines; arrays of shape (columns, lines), the nearest line first."""
 
-    before: NDArray[np.int32]
+    before: Ints32
     """The node before the crossing, in a flattened field."""
-    part: Floats
+    part: Singles
     """How far it is to the next node: 0 to 1."""
-    met: NDArray[np.bool_]
-    """Whether the column meets the line at all, or a rim beside it."""
-    rims: tuple[Rim, Rim]
+    met: Bools
+    """Whether the column meets the line at all, or the border beside it."""
+    borders: tuple[Border, Border]
 
-    def values(self, field: Floats) -> Floats:
+    def values(self, field: Singles) -> Singles:
         """A field of `Sweep.oriented`, flattened, at the crossings."""
         value = field.take(self.before)
         slope = field.take(self.before + 1)
         slope -= value
         slope *= self.part
         value += slope
-        for rim in self.rims:
-            here = field[rim.before]
-            value[rim.column, rim.line] = here + rim.part * (field[rim.behind] - here)
+        for border in self.borders:
+            here = field[border.before]
+            value[border.column, border.line] = here + border.part * (field[border.behind] - here)
         return value
 
 
@@ -85,11 +82,11 @@ class Block(NamedTuple):
     columns: slice
     """Which ones: places along u, from 0 for the sweep's first."""
     crossings: Crossings
-    v: Floats
+    v: Singles
     """How far down the screen each crossing is; at the column's nearest, where it meets no line."""
-    upper: Floats
+    upper: Singles
     """The horizon with that line and all nearer ones drawn: the least v so far..."""
-    lower: Floats
+    lower: Singles
     """... and the greatest."""
 
 
@@ -147,10 +144,10 @@ class Sweep:
         self.first = int(np.ceil(max(corners.min(), min(0.0, -shift) - 1)))
         self.last = int(np.floor(min(corners.max(), self.size[0] + max(0.0, -shift))))
 
-    def place_u(self, s: FloatArray, t: FloatArray | np.float64) -> FloatArray:
+    def place_u(self, s: Doubles, t: Doubles | np.float64) -> Doubles:
         """Where the point t of the line s lies along u."""
         u0, us, ut = self._u
-        u: FloatArray = u0 + us * s + ut * t
+        u: Doubles = u0 + us * s + ut * t
         return u
 
     @property
@@ -164,7 +161,7 @@ class Sweep:
         cell = cells[:, 1 if self.of_y else 0]
         return self.shape[0] - 2 - cell if self.reversed else cell
 
-    def points(self, lines: Ints, nodes: Ints) -> FloatArray:
+    def points(self, lines: Ints, nodes: Ints) -> Doubles:
         """Where nodes appear on the screen: (len(lines), len(nodes), 2)."""
         z = self._z[np.ix_(lines, nodes)].astype(np.float64)
         origin, per_s, per_t, per_z = self._rows
@@ -174,7 +171,7 @@ class Sweep:
             found[..., way] = across + per_z[way] * z
         return found
 
-    def oriented(self, field: NDArray[np.float64]) -> Floats:
+    def oriented(self, field: Doubles) -> Singles:
         """A field over the grid as (lines, nodes of a line), the nearest line first."""
         lines = (field.T if self.of_y else field)[self._order]
         return np.ascontiguousarray(lines, dtype=np.float32)
@@ -205,7 +202,7 @@ class Sweep:
             upper, lower = np.minimum.accumulate(v, axis=1), np.maximum.accumulate(v, axis=1)
             yield Block(slice(start - self.first, stop - self.first), crossings, v, upper, lower)
 
-    def crossings(self, u: FloatArray) -> Crossings:
+    def crossings(self, u: Doubles) -> Crossings:
         """Where the columns at u (any numbers) meet the lines."""
         lines, nodes = self._z.shape
         along = self._along(u)
@@ -215,15 +212,15 @@ class Sweep:
         np.minimum(before, nodes - 2, out=before)
         along -= before
         before += np.arange(0, lines * nodes, nodes, dtype=np.int32)
-        rims = self._rim(u, 0, met), self._rim(u, nodes - 1, met)
-        for rim in rims:
-            met[rim.column, rim.line] = True
-        return Crossings(before, along, met, rims)
+        borders = self._border(u, 0, met), self._border(u, nodes - 1, met)
+        for border in borders:
+            met[border.column, border.line] = True
+        return Crossings(before, along, met, borders)
 
-    def _along(self, u: FloatArray) -> Floats:
+    def _along(self, u: Doubles) -> Singles:
         """How many cells from its beginning columns meet a line; outside its cells if never."""
         u0, us, ut = self._u
-        along: Floats
+        along: Singles
         if self._even:
             cell = ut * (self.t[1] - self.t[0])
             begins = (self.place_u(self.s, self.t[0]) / cell).astype(np.float32)
@@ -234,7 +231,7 @@ class Sweep:
             along = np.interp(t, self.t, nodes, left=-1, right=len(nodes)).astype(np.float32)
         return along
 
-    def _rim(self, u: FloatArray, node: int, met: NDArray[np.bool_]) -> Rim:
+    def _border(self, u: Doubles, node: int, met: Bools) -> Border:
         """Where columns pass between the ends of two lines and meet only one of these lines."""
         nodes = self._z.shape[1]
         ends = self.place_u(self.s, self.t[node])
@@ -248,9 +245,9 @@ class Sweep:
         missed = np.where(met[column, line], line + 1, line)
         before = line * nodes + node
         s = self.s[line] + part * (self.s[line + 1] - self.s[line])
-        return Rim(column, missed, before, before + nodes, part.astype(np.float32), s)
+        return Border(column, missed, before, before + nodes, part.astype(np.float32), s)
 
-    def heights(self, u: FloatArray, crossings: Crossings) -> Floats:
+    def heights(self, u: Doubles, crossings: Crossings) -> Singles:
         """How far down the screen (v) the crossings are."""
         u0, us, ut = self._u
         v0, vs, vt, vz = self._v
@@ -260,11 +257,11 @@ class Sweep:
         per_line = vs - vt / ut * us
         v += (v0 + vt / ut * (u - u0)).astype(np.float32)[:, None]
         v += (per_line * self.s).astype(np.float32)
-        for rim in crossings.rims:  # which lie beside their line
-            v[rim.column, rim.line] += per_line * (rim.s - self.s[rim.line])
+        for border in crossings.borders:  # which lie beside their line
+            v[border.column, border.line] += per_line * (border.s - self.s[border.line])
         return v
 
-    def hits(self, px: float, py: float) -> FloatArray:
+    def hits(self, px: float, py: float) -> Doubles:
         """All points (x, y, z) of the surface at a place of the screen, (m, 3), nearest first.
 
         None if the surface is seen on its edge.  Holes, of NaN, are never hit.
@@ -277,10 +274,10 @@ class Sweep:
         strip = np.flatnonzero(met[:-1] & met[1:] & (down[:-1] * down[1:] <= 0))
         change = down[strip] - down[strip + 1]
         part = (down[strip] / np.where(change == 0, 1.0, change))[:, None]
-        found: FloatArray = points[strip] + part * (points[strip + 1] - points[strip])
+        found: Doubles = points[strip] + part * (points[strip + 1] - points[strip])
         return found
 
-    def hides(self, points: FloatArray) -> NDArray[np.bool_]:
+    def hides(self, points: Doubles) -> Bools:
         """Which points (m, 3) of space are behind a strip, by more than a cell is deep."""
         u, v = self._column(apply(points, self.view.screen)[:, :2])
         lines, down, met = self._met(u)
@@ -297,19 +294,19 @@ class Sweep:
         hidden[point[behind]] = True
         return hidden
 
-    def _column(self, pixels: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _column(self, pixels: Doubles) -> tuple[Doubles, Doubles]:
         """The u and the v of places (m, 2) on the screen."""
         across, v = pixels.T[::-1] if self.lying else pixels.T
         return across - self.shear * v, v
 
-    def _met(self, u: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+    def _met(self, u: Doubles) -> tuple[Doubles, Doubles, Bools]:
         """Where columns meet the lines: points (m, lines, 3), v, and whether they do."""
         crossings = self.crossings(u)
         u0, us, ut = self._u
         low, tall = self._heights
         s = np.broadcast_to(self.s, crossings.part.shape).copy()
-        for rim in crossings.rims:
-            s[rim.column, rim.line] = rim.s
+        for border in crossings.borders:
+            s[border.column, border.line] = border.s
         t = (u[:, None] - u0 - us * s) / ut
         z = low + tall * crossings.values(self._z.ravel())
         x, y = (t, s) if self.of_y else (s, t)

@@ -11,16 +11,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from surfaces.arrays import Bools, Doubles
+
+Array = Doubles
 
 
 class Cast(NamedTuple):
     """What every pixel sees, arrays of shape (height, width)."""
 
-    hit: NDArray[np.bool_]
+    hit: Bools
     point: Array
     """(height, width, 3)"""
-    under: NDArray[np.bool_]
+    under: Bools
 
 
 def cast(
@@ -97,7 +99,7 @@ class Canvas:
         self.array[y[inside], x[inside]] = np.broadcast_to(color, x.shape)[inside]
 
 
-def edges(field: NDArray[Any]) -> NDArray[np.bool_]:
+def edges(field: NDArray[Any]) -> Bools:
     """Pixels whose neighbours, all eight, are not all like them."""
     padded = np.pad(field, 1, mode="edge")
     different = np.zeros(field.shape, dtype=bool)

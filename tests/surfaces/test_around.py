@@ -25,9 +25,9 @@ from surfaces import (
 from surfaces.frame import Frame
 from surfaces.shape.contours import contours
 from surfaces.shape.fields import field
+from surfaces.space.view import View
 from surfaces.systems.colors import UNDER, UPPER
 from surfaces.ticks import labels, ticks
-from surfaces.visible.order import View
 from tests.surfaces.raycast import Canvas
 
 SQUARE: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}
@@ -136,7 +136,7 @@ def test_bad_fields(color: Any, message: str) -> None:
     assert not canvas.array.any()
 
 
-def test_colours_follow_the_field() -> None:
+def test_colors_follow_the_field() -> None:
     canvas = Canvas(200, 150)
     plot = surface(lambda x, y: 0 * x, **SQUARE, n=20, color=lambda x, y: y, on=canvas)
     assert plot.limits == (-1, 1)
@@ -274,7 +274,7 @@ def test_no_number_is_written_over_another(turn: int, size: float) -> None:
         assert r1 <= l2 or r2 <= l1 or b1 <= t2 or b2 <= t1
 
 
-def test_the_bar_of_colours_has_them_all() -> None:
+def test_the_bar_of_colors_has_them_all() -> None:
     page = Writer()
     surface(lambda x, y: x, **SQUARE, n=4, colorbar=True, on=page)
     assert len({*np.unique(page.array[:, 240:]).tolist()} & {*UPPER.tolist()}) > 100

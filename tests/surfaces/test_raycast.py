@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from surfaces import FIGURES, Figure, affine, compose, rotation, scaling, surface
+from surfaces.arrays import Doubles
 from surfaces.systems.colors import UNDER, UPPER
 from tests.surfaces.raycast import Canvas, Cast, cast, edges
 
-VIEWS: dict[str, NDArray[np.float64] | None] = {
+VIEWS: dict[str, Doubles | None] = {
     "as it is": None,
     "turned": rotation("z", 2.0),
     "tumbling": rotation((1, 2, 3), 1.1),
@@ -77,7 +77,7 @@ def smooth(seed: int) -> Any:
     return f
 
 
-def anything(seed: int) -> NDArray[np.float64]:
+def anything(seed: int) -> Doubles:
     """A random turn, shear and reflection, not too flat."""
     rng = np.random.default_rng(1000 + seed)
     turn = rotation(tuple(rng.normal(size=3)), rng.uniform(0, 2 * pi))

@@ -8,22 +8,22 @@ import numpy as np
 import pytest
 
 from surfaces import data, orthographic, rotation, sample, surface
+from surfaces.arrays import Doubles
 from surfaces.shape.rim import PIECES
-from surfaces.space.transforms import FloatArray
 from tests.surfaces.raycast import Canvas
 
 FLAT: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}
 
 
-def dome(x: FloatArray, y: FloatArray) -> FloatArray:
+def dome(x: Doubles, y: Doubles) -> Doubles:
     return np.sqrt(0.81 - x * x - y * y)
 
 
-def disk(x: FloatArray, y: FloatArray) -> FloatArray:
+def disk(x: Doubles, y: Doubles) -> Doubles:
     return np.where(x * x + y * y < 0.81, 1.0, np.nan)
 
 
-def area(triangles: FloatArray) -> float:
+def area(triangles: Doubles) -> float:
     """The area of triangles as seen from above."""
     a, b, c = triangles[..., :2].swapaxes(0, 1)
     (ux, uy), (vx, vy) = (b - a).T, (c - a).T

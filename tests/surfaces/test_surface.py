@@ -198,14 +198,14 @@ def test_a_surface_of_one_value_is_drawn() -> None:
 
 
 @pytest.mark.parametrize(
-    ("driver", "mode", "colours"),
+    ("driver", "mode", "colors"),
     [(bgi.VGA, bgi.VGAHI, 16), (bgi.EGA, bgi.EGAHI, 16), (bgi.CGA, bgi.CGAC1, 4), (bgi.CGA, 4, 2)],
 )
 @pytest.mark.parametrize("dither", [False, True])
-def test_every_kind_of_screen(driver: int, mode: int, colours: int, dither: bool) -> None:
+def test_every_kind_of_screen(driver: int, mode: int, colors: int, dither: bool) -> None:
     bgi.initgraph(driver, mode)
     picture = drawn(hill, **SMALL, n=30, dither=dither)
-    inks = palette(colours, "rainbow", "dusk", dither)
+    inks = palette(colors, "rainbow", "dusk", dither)
     seen = {0, *inks.entries().tolist()}
     assert seen <= set(np.unique(picture)) <= seen | {*inks.entries(under=True).tolist()}
     assert not picture[0].any()
@@ -216,7 +216,7 @@ def test_every_kind_of_screen(driver: int, mode: int, colours: int, dither: bool
 
 
 @pytest.mark.parametrize("mode", MODES)
-def test_the_drawing_colour_stays(mode: str) -> None:
+def test_the_drawing_color_stays(mode: str) -> None:
     bgi.setcolor(5)
     surfaces.surface(hill, **SMALL, n=5, mode=mode)
     assert bgi.getcolor() == 5

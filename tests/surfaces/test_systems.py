@@ -30,9 +30,9 @@ HOW: dict[str, dict[str, Any]] = {
 class Dots:
     """A graphics system that can set a pixel, and nothing else."""
 
-    def __init__(self, width: int, height: int, colours: int) -> None:
+    def __init__(self, width: int, height: int, colors: int) -> None:
         self.array = np.zeros((height, width), dtype=np.int64)
-        self.colours = colours
+        self.colors = colors
 
     def getmaxx(self) -> int:
         return self.array.shape[1] - 1
@@ -41,7 +41,7 @@ class Dots:
         return self.array.shape[0] - 1
 
     def getmaxcolor(self) -> int:
-        return self.colours - 1
+        return self.colors - 1
 
     def putpixel(self, x: int, y: int, color: int) -> None:
         assert (type(x), type(y), type(color)) == (int, int, int)
@@ -153,7 +153,7 @@ def test_text_draws_with_characters() -> None:
     assert max(map(len, lines)) <= 60
 
 
-def test_text_of_one_colour() -> None:
+def test_text_of_one_color() -> None:
     page = Text(40, 20)
     surface(lambda x, y: x * y, (-1, 1), (-1, 1), n=6, mode="wire", on=page)
     assert set(str(page)) == {" ", "*", "\n"}
@@ -176,7 +176,7 @@ def test_a_parametric_surface_on_dots() -> None:
 def test_what_a_pen_knows_of_its_system() -> None:
     bgi.initgraph(bgi.EGA, bgi.EGAHI)
     pen = Pen()
-    assert (pen.width, pen.height, pen.colours, pen.arrays, pen.vector) == (
+    assert (pen.width, pen.height, pen.colors, pen.arrays, pen.vector) == (
         640,
         350,
         16,
@@ -185,5 +185,5 @@ def test_what_a_pen_knows_of_its_system() -> None:
     )
     assert (pen.aspect, pen.character) == (pytest.approx(4 * 350 / (3 * 640)), 8)
     page = Pen(Text())
-    assert (page.arrays, page.aspect, page.character, page.colour) == (False, 0.5, 1, 15)
-    assert Pen(Dots(4, 4, 4)).colour == 3
+    assert (page.arrays, page.aspect, page.character, page.color) == (False, 0.5, 1, 15)
+    assert Pen(Dots(4, 4, 4)).color == 3

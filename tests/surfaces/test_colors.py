@@ -11,7 +11,7 @@ ALL = [2, 4, 16, 256]
 NOWHERE = np.zeros(1, dtype=np.int64)
 
 
-def test_the_ramp_goes_through_its_five_colours() -> None:
+def test_the_ramp_goes_through_its_five_colors() -> None:
     blue, cyan, green, yellow, red = RAMPS["rainbow"].mix(5).tolist()
     assert (blue, cyan, green) == ([0, 0, 255], [0, 255, 255], [0, 255, 0])
     assert (yellow, red) == ([255, 255, 0], [255, 0, 0])
@@ -26,26 +26,26 @@ def test_ramps_are_smooth(name: str) -> None:
     assert np.abs(np.diff(rgb, axis=0)).max() <= 8
 
 
-@pytest.mark.parametrize("colours", ALL)
+@pytest.mark.parametrize("colors", ALL)
 @pytest.mark.parametrize("dither", [False, True])
 @pytest.mark.parametrize("under", [False, True])
-def test_least_and_greatest(colours: int, dither: bool, under: bool) -> None:
-    inks = palette(colours, "rainbow", "dusk", dither)
+def test_least_and_greatest(colors: int, dither: bool, under: bool) -> None:
+    inks = palette(colors, "rainbow", "dusk", dither)
     j, i = np.indices((4, 4))
     ends = inks.entries(under)
     assert set(inks.shade(np.zeros((4, 4)), i, j, under).ravel()) == {ends[0]}
     assert set(inks.shade(np.ones((4, 4)), i, j, under).ravel()) == {ends[-1]}
 
 
-@pytest.mark.parametrize("colours", ALL)
-def test_every_colour_gets_an_equal_share(colours: int) -> None:
-    inks = palette(colours, "rainbow", "dusk", False)
+@pytest.mark.parametrize("colors", ALL)
+def test_every_color_gets_an_equal_share(colors: int) -> None:
+    inks = palette(colors, "rainbow", "dusk", False)
     entries = inks.entries()
     value = (np.arange(len(entries)) + 0.5) / len(entries)
     assert inks.shade(value, NOWHERE, NOWHERE).tolist() == entries.tolist()
 
 
-def test_sixteen_colours_have_the_bands_of_the_rainbow() -> None:
+def test_sixteen_colors_have_the_bands_of_the_rainbow() -> None:
     bands = palette(16, "rainbow", "dusk", False).entries().tolist()
     assert bands == [1, 9, 3, 11, 10, 14, 12, 4]
 
@@ -74,7 +74,7 @@ def test_two_sides_at_once() -> None:
     assert shades.tolist() == [UPPER[0], UNDER[0]]
 
 
-def test_the_everyday_colours_stay() -> None:
+def test_the_everyday_colors_stay() -> None:
     assert sorted({*UPPER.tolist(), *UNDER.tolist()}) == list(range(16, 256))
 
 

@@ -4,16 +4,17 @@ from math import pi
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from surfaces import Mapping, affine, apply, compose, rotation, scaling
-from surfaces.visible.order import back_to_front, eye_from_surface, quads
+from surfaces.arrays import Doubles
+from surfaces.shape.cells import quads
+from surfaces.space.view import eye_from_surface
+from surfaces.visible.order import back_to_front
 
-FloatArray = NDArray[np.float64]
 CELLS = (5, 6)
 
 
-def rays(cells: FloatArray, mapping: Mapping, pixels: FloatArray) -> FloatArray:
+def rays(cells: Doubles, mapping: Mapping, pixels: Doubles) -> Doubles:
     """How near each cell comes to the eye at each pixel, (cells, pixels); NaN where it is not.
 
     Every cell is two triangles.  Nearness is the distance along the line of sight: p . eye.
@@ -31,14 +32,12 @@ def rays(cells: FloatArray, mapping: Mapping, pixels: FloatArray) -> FloatArray:
     return near
 
 
-def surface_points(z: FloatArray) -> FloatArray:
+def surface_points(z: Doubles) -> Doubles:
     x, y = np.linspace(-1, 1, z.shape[0]), np.linspace(-1.3, 0.8, z.shape[1])
     return np.stack((*np.meshgrid(x, y, indexing="ij"), z), axis=-1)
 
 
-def wrong_pixels(
-    T: FloatArray, mapping: Mapping, eye: FloatArray, seed: int = 42
-) -> tuple[int, int]:
+def wrong_pixels(T: Doubles, mapping: Mapping, eye: Doubles, seed: int = 42) -> tuple[int, int]:
     """Pixels where the last cell drawn is not the nearest, and all pixels with a choice."""
     rng = np.random.default_rng(seed)
     z = rng.uniform(-1, 1, size=(CELLS[0] + 1, CELLS[1] + 1))
@@ -53,7 +52,7 @@ def wrong_pixels(
     return int((last != np.nanargmax(near, axis=0)).sum()), int(choice.sum())
 
 
-def shear(k: float) -> FloatArray:
+def shear(k: float) -> Doubles:
     return affine(((1, k, 0), (0, 1, -k), (k, 0, 1)))
 
 
@@ -72,7 +71,7 @@ FIXED = {
 
 
 @pytest.mark.parametrize("T", FIXED.values(), ids=FIXED.keys())
-def test_the_nearest_cell_is_the_last(T: FloatArray) -> None:
+def test_the_nearest_cell_is_the_last(T: Doubles) -> None:
     mapping = Mapping()
     wrong, of = wrong_pixels(T, mapping, eye_from_surface(mapping.eye, T))
     assert (wrong, of > 0) == (0, True)

@@ -1,0 +1,23 @@
+"""The cells between the nodes of a grid, and the nodes that a coarser grid keeps."""
+
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfaces.arrays import Ints
+
+Item = TypeVar("Item", bound=np.generic)
+
+
+def quads(nodes: NDArray[Item]) -> NDArray[Item]:
+    """The four corners of every cell, in the order of the nodes.
+
+    From nodes of shape (nx+1, ny+1, k), an array of shape (nx, ny, 4, k); the corners go round.
+    """
+    return np.stack((nodes[:-1, :-1], nodes[1:, :-1], nodes[1:, 1:], nodes[:-1, 1:]), axis=2)
+
+
+def every_nth(count: int, n: int) -> Ints:
+    """Every n-th of the numbers below `count`, beginning with 0, and always the last."""
+    return np.unique(np.append(np.arange(0, count, n), count - 1))
