@@ -1,4 +1,4 @@
-"""Every number that `graphics.h` names, spelt as Borland spelt it, and the error messages.
+"""Every number that `graphics.h` names, spelt as Borland spelt it.
 
 Nothing here computes anything: read it beside the manual.
 """
@@ -66,26 +66,6 @@ grInvalidFont = -13
 grInvalidFontNum = -14
 grInvalidDeviceNum = -15
 grInvalidVersion = -18
-
-ERROR_MESSAGES = {
-    grOk: "No error",
-    grNoInitGraph: "(BGI) graphics not installed",
-    grNotDetected: "Graphics hardware not detected",
-    grFileNotFound: "Device driver file not found ({file})",
-    grInvalidDriver: "Invalid device driver file ({file})",
-    grNoLoadMem: "Not enough memory to load driver",
-    grNoScanMem: "Out of memory in scan fill",
-    grNoFloodMem: "Out of memory in flood fill",
-    grFontNotFound: "Font file not found ({file})",
-    grNoFontMem: "Not enough memory to load font",
-    grInvalidMode: "Invalid graphics mode for selected driver",
-    grError: "Graphics error",
-    grIOerror: "Graphics I/O error",
-    grInvalidFont: "Invalid font file ({file})",
-    grInvalidFontNum: "Invalid font number",
-    grInvalidDeviceNum: "Invalid device number",
-    grInvalidVersion: "Invalid File Version Number",
-}
 
 # Colours: indices into the palette (COLORS)
 BLACK = 0

@@ -6,6 +6,14 @@ from bgi.constants import NO_CLICK, WM_MBUTTONDBLCLK, WM_MOUSEMOVE
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
 
+# fmt: off
+__all__ = [
+    "mousex", "mousey",
+    "ismouseclick", "getmouseclick", "clearmouseclick",
+    "setmousequeuestatus", "registermousehandler",
+]
+# fmt: on
+
 
 def mousex() -> int:
     """Return the mouse's x in pixels of the screen, however large the window. Source: WinBGIm."""

@@ -11,6 +11,14 @@ from bgi.graphics import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import arccoordstype
 
+# fmt: off
+__all__ = [
+    "circle", "arc", "ellipse", "getarccoords",
+    "fillellipse", "pieslice", "sector",
+    "setaspectratio", "getaspectratio",
+]
+# fmt: on
+
 
 def circle(x: Numbers, y: Numbers, radius: Numbers, color: Numbers | None = None) -> None:
     """Draw a circle.

@@ -14,6 +14,14 @@ from bgi.graphics import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import linesettingstype
 
+# fmt: off
+__all__ = [
+    "putpixel", "getpixel",
+    "line", "lineto", "linerel", "rectangle", "drawpoly",
+    "setlinestyle", "getlinesettings", "setwritemode",
+]
+# fmt: on
+
 
 def putpixel(x: Numbers, y: Numbers, color: Numbers) -> None:
     """Set a pixel to a colour.

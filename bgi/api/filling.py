@@ -10,6 +10,13 @@ from bgi.graphics import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import fillsettingstype
 
+# fmt: off
+__all__ = [
+    "setfillstyle", "getfillsettings", "setfillpattern", "getfillpattern",
+    "bar", "bar3d", "fillpoly", "floodfill",
+]
+# fmt: on
+
 
 def setfillstyle(pattern: Number, color: Number) -> None:
     """Choose pattern and colour of fills.

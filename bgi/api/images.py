@@ -6,6 +6,13 @@ from bgi.graphics import current
 from bgi.kernel.arguments import Number
 from bgi.memory.image import Image
 
+# fmt: off
+__all__ = [
+    "imagesize", "getimage", "putimage",
+    "readimagefile", "writeimagefile",
+]
+# fmt: on
+
 
 def imagesize(left: Number, top: Number, right: Number, bottom: Number) -> int:
     """Return how many bytes an image takes in Borland's layout.

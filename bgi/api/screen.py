@@ -6,6 +6,18 @@ from bgi.graphics import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import palettetype, viewporttype
 
+# fmt: off
+__all__ = [
+    "getmaxx", "getmaxy", "getmaxcolor", "cleardevice",
+    "setviewport", "getviewsettings", "clearviewport", "moveto", "moverel", "getx", "gety",
+    "setactivepage", "setvisualpage", "getactivepage", "getvisualpage", "swapbuffers",
+    "setcolor", "getcolor", "setbkcolor", "getbkcolor",
+    "setpalette", "setallpalette", "getpalette", "getpalettesize", "getdefaultpalette",
+    "setrgbpalette",
+    "getgraphmode", "getmaxmode", "getmodename", "getdrivername", "graphdefaults",
+]
+# fmt: on
+
 
 def getmaxx() -> int:
     """Return the largest x of the screen, 639 in VGAHI, whatever the viewport.

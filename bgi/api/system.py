@@ -15,6 +15,16 @@ from bgi.kernel.arguments import Number, whole
 from bgi.kernel.drivers import Detect
 from bgi.kernel.state import KERNEL
 
+# fmt: off
+__all__ = [
+    "detectgraph", "initgraph", "closegraph", "setgraphmode", "restorecrtmode", "getmoderange",
+    "graphresult", "grapherrormsg",
+    "installuserdriver", "registerbgidriver", "registerfarbgidriver",
+    "installuserfont", "registerbgifont", "registerfarbgifont",
+    "setgraphbufsize", "_graphgetmem", "_graphfreemem",
+]
+# fmt: on
+
 
 def detectgraph() -> tuple[int, int]:
     """Tell the adapter and its best mode: (VGA, VGAHI), here as on nearly every PC.

@@ -9,6 +9,13 @@ from bgi.graphics import current
 from bgi.kernel.arguments import Number
 from bgi.settings import textsettingstype
 
+# fmt: off
+__all__ = [
+    "settextstyle", "settextjustify", "setusercharsize", "gettextsettings",
+    "outtext", "outtextxy", "textwidth", "textheight",
+]
+# fmt: on
+
 
 def settextstyle(font: Number, direction: Number, charsize: Number) -> None:
     """Choose font, direction and size of text.

@@ -9,6 +9,15 @@ from bgi.memory import rgb
 from bgi.memory.card import LARGEST
 from bgi.memory.palette import SIXTEEN
 
+# fmt: off
+__all__ = [
+    "initwindow", "closewindow", "getcurrentwindow", "setcurrentwindow",
+    "getmaxwidth", "getmaxheight", "getwindowwidth", "getwindowheight",
+    "COLOR", "IS_BGI_COLOR", "IS_RGB_COLOR", "converttorgb", "RED_VALUE", "GREEN_VALUE",
+    "BLUE_VALUE",
+]
+# fmt: on
+
 
 def initwindow(
     width: Number,

@@ -4,9 +4,48 @@ closegraph() leaves it alone. It is always reached through `KERNEL`, as in `KERN
 `KERNEL.reset()` makes all of it new: a test begins with that.
 """
 
-from bgi.constants import ERROR_MESSAGES, grOk
+from bgi.constants import (
+    grError,
+    grFileNotFound,
+    grFontNotFound,
+    grInvalidDeviceNum,
+    grInvalidDriver,
+    grInvalidFont,
+    grInvalidFontNum,
+    grInvalidMode,
+    grInvalidVersion,
+    grIOerror,
+    grNoFloodMem,
+    grNoFontMem,
+    grNoInitGraph,
+    grNoLoadMem,
+    grNoScanMem,
+    grNotDetected,
+    grOk,
+)
 from bgi.fonts.table import FontTable
 from bgi.kernel.drivers import DriverTable
+
+MESSAGES = {
+    grOk: "No error",
+    grNoInitGraph: "(BGI) graphics not installed",
+    grNotDetected: "Graphics hardware not detected",
+    grFileNotFound: "Device driver file not found ({file})",
+    grInvalidDriver: "Invalid device driver file ({file})",
+    grNoLoadMem: "Not enough memory to load driver",
+    grNoScanMem: "Out of memory in scan fill",
+    grNoFloodMem: "Out of memory in flood fill",
+    grFontNotFound: "Font file not found ({file})",
+    grNoFontMem: "Not enough memory to load font",
+    grInvalidMode: "Invalid graphics mode for selected driver",
+    grError: "Graphics error",
+    grIOerror: "Graphics I/O error",
+    grInvalidFont: "Invalid font file ({file})",
+    grInvalidFontNum: "Invalid font number",
+    grInvalidDeviceNum: "Invalid device number",
+    grInvalidVersion: "Invalid File Version Number",
+}
+"""Borland's sentences for its error codes; the file is the one that a font or driver lies in."""
 
 
 class Result:
@@ -28,7 +67,7 @@ class Result:
 
     def message(self, code: int) -> str:
         """Borland's sentence for an error code; an unknown code is quoted in it."""
-        return ERROR_MESSAGES.get(code, f"Graphics error ({code})").format(file=self._file)
+        return MESSAGES.get(code, f"Graphics error ({code})").format(file=self._file)
 
 
 class Kernel:
