@@ -89,7 +89,7 @@ from demos.panel import (
 )
 from surfaces import MODES, PROJECTIONS, RAMPS, Mapping, Plot, compose, rotation, scaling, surface
 from surfaces.animation import PillowMissing, save_gif
-from surfaces.formula import FormulaError, formula
+from surfaces.formulas import FormulaError, formula
 from surfaces.shape.fields import FIELDS
 
 MODE = (IBM8514, IBM8514LO)

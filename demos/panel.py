@@ -17,7 +17,7 @@ from bgi import (
     setcolor,
     setfillstyle,
 )
-from surfaces.formula import FUNCTIONS, LONGEST, NAMES, FormulaError
+from surfaces.formulas import FUNCTIONS, LONGEST, NAMES, FormulaError
 
 ENTER, ESC, TAB, BACKSPACE, SPACE = 13, 27, 9, 8, 32
 # What getch() gives as 0 and a second code, we count from 256 on.

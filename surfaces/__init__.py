@@ -1,6 +1,6 @@
 """Surfaces z = f(x, y) in three dimensions, drawn with the two-dimensional calls of graphics.h.
 
-After "A Very Simple Approach for 3-D to 2-D Mapping" by Dey, Abraham and Sanyal::
+After "A Very Simple Approach for 3-D to 2-D Mapping" by Dey, Abraham and Sanyal:
 
     from bgi import *
     from numpy import sin
@@ -10,10 +10,17 @@ After "A Very Simple Approach for 3-D to 2-D Mapping" by Dey, Abraham and Sanyal
     surfaces.surface(lambda x, y: sin(x * x + y * y), x=(-2.5, 2.5), y=(-2.5, 2.5))
     getch()
     closegraph()
+
+The folders follow a point on its way: `space` (moving it, and mapping it to the screen), `shape` (a
+surface as an array of points), `visible` (what is seen of it), `systems` (what it is drawn on).
+`plot` puts them together.
 """
 
+from surfaces.animation import PillowMissing, save_gif
+from surfaces.formulas import FormulaError, formula
 from surfaces.modes import MODES
 from surfaces.plot import Plot, parametric, surface
+from surfaces.shape.fields import FIELDS
 from surfaces.shape.functions import FIGURES, Figure
 from surfaces.shape.grid import Grid, data, sample
 from surfaces.space.mapping import Axonometry, Mapping, Projection
@@ -33,33 +40,20 @@ from surfaces.systems.colors import RAMPS, Ramp
 from surfaces.systems.pen import Pen, System
 from surfaces.systems.svg import Svg
 
+# fmt: off
 __all__ = [
-    "FIGURES",
-    "MODES",
-    "PROJECTIONS",
-    "RAMPS",
-    "Axonometry",
-    "Figure",
-    "Grid",
-    "Mapping",
-    "Pen",
-    "Plot",
-    "Projection",
-    "Ramp",
-    "Svg",
-    "System",
-    "Text",
-    "affine",
-    "apply",
-    "compose",
-    "data",
-    "orthographic",
-    "parametric",
-    "power",
-    "powers",
-    "rotation",
-    "sample",
-    "scaling",
-    "surface",
-    "translation",
+    # Drawing a surface, and what was drawn
+    "surface", "parametric", "Plot",
+    # What to draw: functions, data, formulas, the paper's figures
+    "sample", "data", "Grid", "formula", "FormulaError", "FIGURES", "Figure",
+    # How: the names that `mode`, `color`, `ramp` and `projection` take
+    "MODES", "FIELDS", "RAMPS", "PROJECTIONS", "Ramp",
+    # From space to the screen
+    "Projection", "Mapping", "Axonometry", "orthographic",
+    # Moving and turning in space
+    "translation", "scaling", "rotation", "affine", "compose", "power", "powers", "apply",
+    # What to draw on, besides the screen of the BGI
+    "Svg", "Text", "System", "Pen",
+    # Films
+    "save_gif", "PillowMissing",
 ]

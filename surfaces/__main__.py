@@ -32,7 +32,7 @@ from bgi import (
 )
 from bgi.monitor import display_exists
 from surfaces.animation import PillowMissing, progress, save_gif
-from surfaces.formula import FUNCTIONS, NAMES, OPERATORS, FormulaError, formula
+from surfaces.formulas import FUNCTIONS, NAMES, OPERATORS, FormulaError, formula
 from surfaces.modes import MODES
 from surfaces.plot import surface
 from surfaces.shape.fields import FIELDS

@@ -52,7 +52,7 @@ LAYERS = [
     "bgi",
     "surfaces.arrays",
     "surfaces.ticks",
-    "surfaces.formula",
+    "surfaces.formulas",
     "surfaces.animation",
     "surfaces.space.transforms",
     "surfaces.space.mapping",

@@ -15,7 +15,7 @@ import bgi
 from surfaces import rotation, surface
 from surfaces.__main__ import FRAME, MODE, main
 from surfaces.animation import PillowMissing, progress, save_gif
-from surfaces.formula import formula
+from surfaces.formulas import formula
 
 ROOT = Path(__file__).parents[2]
 

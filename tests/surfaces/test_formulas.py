@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from surfaces.formula import DEEPEST, FUNCTIONS, LONGEST, NAMES, FormulaError, formula
+from surfaces.formulas import DEEPEST, FUNCTIONS, LONGEST, NAMES, FormulaError, formula
 
 X, Y = 0.7, -1.3
 

@@ -1,0 +1,30 @@
+"""What `import surfaces` gives: the table of contents."""
+
+import pkgutil
+
+import pytest
+
+import surfaces
+
+
+@pytest.mark.parametrize("name", surfaces.__all__)
+def test_a_public_name_exists(name: str) -> None:
+    assert hasattr(surfaces, name)
+
+
+def test_none_is_named_twice() -> None:
+    assert len(surfaces.__all__) == len(set(surfaces.__all__))
+
+
+def test_none_hides_a_module() -> None:
+    """A function `formula` beside a module `formula` made `import surfaces.formula` a riddle."""
+    modules = {module.name for module in pkgutil.iter_modules(surfaces.__path__)}
+    assert not modules & set(surfaces.__all__)
+
+
+def test_what_a_demo_needs_is_public() -> None:
+    f = surfaces.formula("x + 2*y")
+    assert f(1.0, 2.0) == 5.0
+    with pytest.raises(surfaces.FormulaError):
+        surfaces.formula("x +")
+    assert list(surfaces.FIELDS) == ["z", "slope", "light"]
