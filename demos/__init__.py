@@ -1,58 +1,22 @@
-"""Demos: small programs that show what graphics.h can do. `python -m demos` opens the gallery.
+"""Demos: small programs that show what graphics.h can do, in the order of their numbers.
 
-A demo is a module whose docstring begins with three paragraphs, which the gallery shows: a summary
-of one line, the command that runs it, and what it shows. It has
+A demo is a program: `python demos/02_ball.py` runs it. Its docstring begins with three paragraphs,
+which the gallery (`python -m demos`) shows: a summary of one line, the command that runs it, and
+what it shows. All but the first, plain ones have
 
     MODE     driver and mode, as initgraph() takes them
     draw()   draws its representative picture on the current page; also in VGAHI, for the menu
     main()   opens the screen with initgraph(*MODE) and runs until a key ends it
 
-`main` leaves the screen open, so that the gallery goes on in the same window; `python -m demos`
-calls closegraph() for all of them, whatever happens.
+None calls closegraph(): the window closes when a program ends, and the gallery goes on in it.
 """
 
-from importlib import import_module
-from types import ModuleType
+import sys
+from pathlib import Path
 
-NAMES = (
-    "hello",
-    "tour",
-    "fills",
-    "fonts",
-    "palette",
-    "sprites",
-    "bounce",
-    "bgidemo",
-    "surfaces",
-    "paper",
-    "waterfall",
-    "parametric",
-    "turn",
-    "explore",
-    "paint",
-    "piano",
-    "keys",
-    "clock",
-    "two_windows",
-)
-"""The demos, in the order in which to learn from them."""
+# A demo finds its helpers, in gallery/, beside it: as Python does for a program that it runs.
+sys.path.insert(0, str(Path(__file__).parent))
 
+from gallery.catalogue import NAMES, Demo, load
 
-def load(name: str) -> ModuleType:
-    """The module of a demo."""
-    return import_module(f"demos.{name}")
-
-
-def summary(demo: ModuleType) -> str:
-    """What a demo is, in one line."""
-    return _paragraph(demo, 0)
-
-
-def lesson(demo: ModuleType) -> str:
-    """What a demo shows, in a few sentences."""
-    return _paragraph(demo, 2).replace("`", "")
-
-
-def _paragraph(demo: ModuleType, number: int) -> str:
-    paragraphs = (demo.__doc__ or "").split("\n\n")
-    return " ".join(paragraphs[number].split())
+__all__ = ["NAMES", "Demo", "load"]

@@ -1,5 +1,6 @@
 """Every demo is a test: it runs headless with scripted keys and ends, and its picture shows."""
 
+import ast
 import os
 import re
 import subprocess
@@ -11,12 +12,16 @@ import pytest
 
 import bgi
 from bgi.graphics import current
-from demos import NAMES, load, menu, summary
-from demos.__main__ import main as command
-from demos.pages import KEYS as KEYS_SHOWN
-from demos.pages import MARGIN, Page, leaf_through, show
+from gallery import menu
+from gallery.catalogue import NAMES, load
+from gallery.command import main as command
+from gallery.pages import KEYS as KEYS_SHOWN
+from gallery.pages import MARGIN, Page, leaf_through, show
+from tests.pictures import read_indices
 
 ROOT = Path(__file__).parents[1]
+DEMOS = ROOT / "demos"
+PICTURES = ROOT / "docs" / "pictures"
 
 # What the user does in each demo, up to the key that ends it.
 KEYS = {
@@ -27,8 +32,9 @@ KEYS = {
     "palette": "Right Right Right Left Left Esc",
     "sprites": "Space Space Left Esc",
     "bgidemo": "Space " * 25 + "Esc",
+    "ball": "x",
     "bounce": "Space Space Esc",
-    "surfaces": "1 w 2 m 3 f 4 Left Up Space Right Space Esc",
+    "spin": "1 w 2 m 3 f 4 Left Up Space Right Space Esc",
     "paper": "x",
     "waterfall": "Space m Space Esc",
     "parametric": "1 2 m 3 4 Space Esc",
@@ -42,36 +48,61 @@ KEYS = {
 }
 
 
+STILL = ("hello", "tour", "paper")
+"""The demos that show their picture and wait."""
+
+
 @pytest.fixture(params=NAMES)
 def demo(request):
     """Each demo in turn."""
     return load(request.param)
 
 
-def name_of(demo):
-    return demo.__name__.removeprefix("demos.")
+def run(arguments, folder, **variables):
+    """Run Python without a display, in a folder, as someone who has installed the package."""
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "BGI_MONITOR": "none"} | variables
+    return subprocess.run(
+        [sys.executable, *map(str, arguments)],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=60,
+    )
+
+
+def assert_shows(picture, demo):
+    """Fail unless a file holds what a demo draws."""
+    indices = read_indices(picture)
+    assert len(np.unique(indices)) >= 3
+    if demo.name in STILL:
+        assert np.array_equal(indices, read_indices(PICTURES / f"{demo.name}.png"))
 
 
 class TestEveryDemo:
-    def test_is_in_the_gallery(self):
-        files = {file.stem for file in (ROOT / "demos").glob("*.py")}
-        assert files - {"__init__", "__main__", "menu", "pages", "panel"} == set(NAMES)
-
     def test_has_a_plan_of_keys(self):
         assert set(KEYS) == set(NAMES)
 
+    def test_runs_as_a_file_from_any_folder(self, demo, tmp_path):
+        shot = tmp_path / "shot.png"
+        run([demo.file], tmp_path, BGI_AFTER="0.3", BGI_SHOT=str(shot))
+        assert_shows(shot, demo)
+
     def test_says_what_it_is_and_how_to_run_it(self, demo):
-        says, runs, shows = demo.__doc__.split("\n\n")[:3]
+        says, runs, shows = ast.get_docstring(ast.parse(demo.file.read_text("utf-8"))).split(
+            "\n\n"
+        )[:3]
         assert says.endswith(".") and "\n" not in says
-        assert runs.strip() == f"python -m demos {name_of(demo)}"
+        assert runs.strip() == f"python demos/{demo.file.name}"
         assert shows.startswith("What it shows: ")
 
     def test_has_a_mode_that_opens(self, demo):
-        assert bgi.initgraph(*demo.MODE) == demo.MODE
+        assert bgi.initgraph(*demo.mode) == demo.mode
         assert bgi.graphresult() == bgi.grOk
 
     def test_draws_a_picture_on_the_page_that_is_shown(self, demo):
-        bgi.initgraph(*demo.MODE)
+        bgi.initgraph(*demo.mode)
         demo.draw()
         assert current.screen.card.visible == 0
         picture = np.frombuffer(current.screen.card.page(0), np.uint8)
@@ -79,16 +110,58 @@ class TestEveryDemo:
         assert np.count_nonzero(picture) > picture.size / 50
 
     def test_runs_until_its_last_key_and_leaves_the_window_to_the_gallery(self, demo, monkeypatch):
-        monkeypatch.setenv("BGI_KEYS", KEYS[name_of(demo)])
+        monkeypatch.setenv("BGI_KEYS", KEYS[demo.name])
         bgi.initgraph()
         before = current.loaded()
-        demo.main()
+        demo.run()
         assert current.loaded() is before
         assert not bgi.kbhit()
 
-    def test_has_its_picture_in_the_documentation(self, demo):
-        assert (ROOT / "docs" / "pictures" / f"{name_of(demo)}.png").is_file()
-        assert f"docs/pictures/{name_of(demo)}.png" in (ROOT / "README.md").read_text("utf-8")
+    def test_is_shown_and_explained_in_the_folder(self, demo):
+        assert (PICTURES / f"{demo.name}.png").is_file()
+        text = (DEMOS / "README.md").read_text("utf-8")
+        (row,) = (row for row in text.splitlines() if f"({demo.file.name})" in row)
+        assert f"../docs/pictures/{demo.name}.png" in row
+        assert f"`python demos/{demo.file.name}`" in row
+        assert demo.summary in row
+        assert demo.lesson.removeprefix("What it shows: ") in row.replace("`", "")
+
+
+class TestFolder:
+    def test_its_numbers_are_the_order_of_the_gallery(self):
+        files = sorted(file.name for file in DEMOS.glob("*.py") if file.name[0] != "_")
+        assert files == [f"{place:02}_{name}.py" for place, name in enumerate(NAMES, 1)]
+        rows = re.findall(r"\((\d\d_\w+\.py)\)", (DEMOS / "README.md").read_text("utf-8"))
+        assert rows == files
+
+    def test_no_file_hides_a_module_from_the_demos(self):
+        """Python looks for a module first in the folder of the program that it runs."""
+        stems = {file.stem for file in DEMOS.iterdir()}
+        assert not stems & {"bgi", "surfaces", "numpy", "pygame", *sys.stdlib_module_names}
+
+    def test_demos_use_public_names_only(self, demo):
+        modules = re.findall(r"^(?:from|import) ([\w.]+)", demo.file.read_text("utf-8"), re.M)
+        private = [module for module in modules if re.match(r"(bgi|surfaces)\.", module)]
+        assert not private or demo.name == "explore"
+
+
+class TestWaysToRun:
+    @pytest.mark.parametrize("name", ["ball", "fills", "spin"])
+    def test_by_the_command_of_bgi(self, tmp_path, name):
+        demo, shot = load(name), tmp_path / "shot.png"
+        options = ["--monitor", "none", "--after", "300ms", "--shot", shot]
+        ran = run(["-m", "bgi", *options, demo.file], tmp_path)
+        assert (ran.returncode, ran.stderr) == (0, "")
+        assert_shows(shot, demo)
+
+    @pytest.mark.parametrize("command", [["-m", "demos"], ["-m", "bgi.demos"], [DEMOS]], ids=str)
+    @pytest.mark.parametrize("name", ["hello", "04_tour", "16_paper.py"])
+    def test_by_the_gallery(self, tmp_path, command, name):
+        folder = ROOT if command == ["-m", "demos"] else tmp_path
+        shot = tmp_path / "shot.png"
+        ran = run([*command, name], folder, BGI_KEYS="x", BGI_SHOT=str(shot))
+        assert (ran.returncode, ran.stderr) == (0, "")
+        assert_shows(shot, load(re.sub(r"\d+_|\.py", "", name)))
 
 
 class TestMenu:
@@ -135,7 +208,7 @@ class TestCommand:
             return answer
 
         monkeypatch.setattr(menu, "choose", watched)
-        monkeypatch.setenv("BGI_KEYS", "1 x 3 Esc Esc")
+        monkeypatch.setenv("BGI_KEYS", "1 x 4 Esc Esc")
         assert command([]) == 0
         assert len(screens) == 3
         assert len(set(screens)) == 1
@@ -150,7 +223,7 @@ class TestCommand:
         assert command(["--list"]) == 0
         lines = capsys.readouterr().out.splitlines()
         assert [line.split()[0] for line in lines] == list(NAMES)
-        assert all(summary(load(name)) in line for name, line in zip(NAMES, lines, strict=True))
+        assert all(load(name).summary in line for name, line in zip(NAMES, lines, strict=True))
 
     def test_saves_every_picture(self, tmp_path, capsys):
         folder = tmp_path / "new" / "folder"
@@ -183,7 +256,7 @@ class TestCommand:
         def interrupted():
             raise error
 
-        monkeypatch.setattr(load("hello"), "main", interrupted)
+        monkeypatch.setattr("gallery.catalogue.Demo.run", lambda demo: interrupted())
         assert command(["hello"]) == code
         assert capsys.readouterr().err == ""
 
@@ -235,7 +308,7 @@ class TestPages:
 
     @pytest.fixture(params=["fills", "fonts", "palette", "sprites", "bgidemo"])
     def paged(self, request):
-        return load(request.param)
+        return load(request.param).module()
 
     def test_every_page_draws_without_an_error(self, paged):
         for place, page in enumerate(paged.PAGES):
@@ -275,7 +348,7 @@ class TestPages:
         assert moves == [1]
 
     def test_palette_moves_colours_and_no_pixel(self):
-        palette = load("palette")
+        palette = load("palette").module()
         for place, page in enumerate(palette.PAGES):
             bgi.initgraph(*page.mode)
             show(palette.PAGES, place)
@@ -285,7 +358,7 @@ class TestPages:
             assert (current.screen.card.palette != looks).any()
 
     def test_saucers_leave_the_town_as_it_was(self):
-        sprites = load("sprites")
+        sprites = load("sprites").module()
         bgi.initgraph(*sprites.MODE)
         show(sprites.PAGES, 1)
         sprites.SAUCERS.put()

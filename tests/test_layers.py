@@ -50,6 +50,7 @@ LAYERS = [
     "bgi.mouse",
     "bgi.api.",
     "bgi",
+    "bgi.demos",
     "surfaces.arrays",
     "surfaces.ticks",
     "surfaces.formulas",

@@ -3,8 +3,8 @@
     python -m tools.pictures [folder]
 
 A picture on a page belongs to the block of code just before it, and is what that block leaves on
-the screen: so a page cannot show what its code does not draw. A demo's picture is what its draw()
-leaves. tests/test_docs.py draws them all again and compares.
+the screen: so a page cannot show what its code does not draw. A demo's picture is the one in the
+gallery. tests/test_docs.py draws them all again and compares.
 """
 
 import os
@@ -79,7 +79,7 @@ def draw_page(page: Path, folder: Path) -> list[str]:
 def draw_demo(name: str, folder: Path) -> list[str]:
     """Save a demo's picture; returns its name."""
     demo = demos.load(name)
-    bgi.initgraph(*demo.MODE)
+    bgi.initgraph(*demo.mode)
     demo.draw()
     _save(folder / f"{name}.png", whole=True)
     bgi.closegraph()

@@ -1,16 +1,13 @@
 """The demos of surfaces, driven by scripts of keys."""
 
-from importlib import import_module
-
 import numpy as np
 import pytest
 
 import bgi
-from demos import surfaces as demo
-from demos import turn
+from gallery.catalogue import load
 
 KEYS = {
-    "surfaces": "1 w 2 m 3 f 4 b Up Down Left Right q Home Space Up Space 2 Esc",
+    "spin": "1 w 2 m 3 f 4 b Up Down Left Right q Home Space Up Space 2 Esc",
     "paper": "x",
     "waterfall": "m m m m Space x Space Esc",
     "parametric": "2 m 3 m 4 m 1 m Space 2 Space 9 Esc",
@@ -22,7 +19,7 @@ KEYS = {
 def test_every_key(monkeypatch: pytest.MonkeyPatch, name: str, keys: str) -> None:
     monkeypatch.setenv("BGI_KEYS", keys)
     bgi.closegraph()
-    import_module(f"demos.{name}").main()
+    load(name).run()
     assert not bgi.kbhit()
 
 
@@ -30,7 +27,7 @@ def test_every_key(monkeypatch: pytest.MonkeyPatch, name: str, keys: str) -> Non
 @pytest.mark.parametrize("mode", [(bgi.VGA, bgi.VGAHI), (bgi.IBM8514, bgi.IBM8514LO)])
 def test_the_picture_in_the_gallery(name: str, mode: tuple[int, int]) -> None:
     bgi.initgraph(*mode)
-    import_module(f"demos.{name}").draw()
+    load(name).draw()
     x, y = np.meshgrid(np.arange(640), np.arange(480))
     picture = np.asarray(bgi.getpixel(x, y))
     assert (picture != 0).mean() > 0.02
@@ -38,7 +35,7 @@ def test_the_picture_in_the_gallery(name: str, mode: tuple[int, int]) -> None:
 
 
 def test_the_way_on_the_screen_is_the_way_through_space() -> None:
-    turning = turn.Turning(640, 480)
+    turning = load("turn").module().Turning(640, 480)
     for _ in range(360):
         turning.turn()
     assert np.abs(turning.triples - turning.anew()).max() < 1e-9
@@ -48,7 +45,7 @@ def test_the_way_on_the_screen_is_the_way_through_space() -> None:
 def test_keys_change_the_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("BGI_KEYS", "Up Left F1")
     bgi.initgraph(bgi.VGA, bgi.VGAHI)
-    scene = demo.Scene()
+    scene = load("spin").module().Scene()
     for key in "4wz ":
         scene.press(ord(key))
     assert (scene.figure, scene.mode, scene.spinning) == (3, "wire", False)

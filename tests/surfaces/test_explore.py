@@ -7,9 +7,11 @@ import pytest
 import bgi
 from bgi.graphics import current
 from bgi.monitor.pointer import MOVED, pressed, released
-from demos import explore
-from demos.explore import EXAMPLES, Explorer, View
-from demos.panel import DELETE, END, EXTENDED, HOME, LEFT, RIGHT, UP, Editor, read_key
+from gallery.catalogue import load
+from gallery.panel import DELETE, END, EXTENDED, HOME, LEFT, RIGHT, UP, Editor, read_key
+
+explore = load("explore").module()
+EXAMPLES, Explorer, View = explore.EXAMPLES, explore.Explorer, explore.View
 
 
 @pytest.fixture

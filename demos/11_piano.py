@@ -1,6 +1,6 @@
 """A piano of two octaves, for the speaker.
 
-    python -m demos piano
+    python demos/11_piano.py
 
 What it shows: sound() of `bgi.dos` plays a pitch until nosound() or the next one. The letters a to
 k play the white keys, w e t y u the black ones; the mouse plays any, as long as its button is held.
@@ -9,32 +9,8 @@ Space plays a tune, Esc ends.
 
 from dataclasses import dataclass
 
-from bgi import (
-    BLACK,
-    BLUE,
-    BROWN,
-    DARKGRAY,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTRED,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    bar,
-    cleardevice,
-    delay,
-    dos,
-    getch,
-    initgraph,
-    kbhit,
-    mouse,
-    outtextxy,
-    rectangle,
-    setcolor,
-    setfillstyle,
-)
+from bgi import *
+from bgi import dos, mouse
 
 MODE = (VGA, VGAHI)
 ESC, SPACE = 27, 32
@@ -179,3 +155,7 @@ def main() -> None:
         elif chr(code) in BY_LETTER:
             play(BY_LETTER[chr(code)], MILLISECONDS)
     mouse.reset()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,19 +1,18 @@
 """A tour of graphics.h, in the spirit of the one that came with the compiler.
 
-    python -m demos bgidemo
+    python demos/14_bgidemo.py
 
 What it shows: a page for each thing that the library can do, from the list of its settings to
 charts, curves, text in every font, XOR, images, palettes and the modes of other adapters. Each page
 is one short function: read the one whose picture you want to draw.
 """
 
-# ruff: noqa: F403, F405  (a star import is how graphics.h programs begin)
 from dataclasses import astuple, dataclass
 
 import numpy as np
 
 from bgi import *
-from demos.pages import Page, leaf_through, show
+from gallery.pages import Page, leaf_through, show
 
 MODE = (VGA, VGAHI)
 HUES = (LIGHTRED, YELLOW, LIGHTGREEN, LIGHTCYAN, LIGHTBLUE, LIGHTMAGENTA)
@@ -404,3 +403,7 @@ def draw() -> None:
 def main() -> None:
     """Leaf through the pages until Esc comes."""
     leaf_through(PAGES)
+
+
+if __name__ == "__main__":
+    main()

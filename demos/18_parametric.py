@@ -1,6 +1,6 @@
 """A ring, a band with one side, a ball: surfaces that two numbers walk over.
 
-    python -m demos parametric
+    python demos/18_parametric.py
 
 What it shows: `surfaces.parametric` draws (u, v) -> (x, y, z). Filled, each pixel keeps the nearest
 depth it was offered; that is right even for the bottle, which passes through itself. 1 to 4 choose
@@ -14,24 +14,7 @@ from typing import Any
 
 from numpy import cos, sin
 
-from bgi import (
-    IBM8514,
-    IBM8514LO,
-    WHITE,
-    YELLOW,
-    cleardevice,
-    getch,
-    getmaxcolor,
-    getmaxx,
-    getmaxy,
-    initgraph,
-    kbhit,
-    outtextxy,
-    setcolor,
-    setviewport,
-    swapbuffers,
-    textwidth,
-)
+from bgi import *
 from surfaces import compose, parametric, rotation
 
 MODE = (IBM8514, IBM8514LO)

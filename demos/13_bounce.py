@@ -1,6 +1,6 @@
 """Balls in a room, without a flicker.
 
-    python -m demos bounce
+    python demos/13_bounce.py
 
 What it shows: every picture is drawn anew on the page that is not shown; swapbuffers() then shows
 it whole and hands over the other page. All balls are one array of polygons, painted by one call
@@ -12,35 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi import (
-    BLACK,
-    BLUE,
-    BROWN,
-    CYAN,
-    DARKGRAY,
-    GREEN,
-    LIGHTBLUE,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTGREEN,
-    LIGHTMAGENTA,
-    LIGHTRED,
-    MAGENTA,
-    RED,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    cleardevice,
-    fillpoly,
-    getch,
-    initgraph,
-    kbhit,
-    line,
-    outtextxy,
-    setcolor,
-    swapbuffers,
-)
+from bgi import *
 
 MODE = (VGA, VGAHI)
 SPACE = ord(" ")
@@ -167,3 +139,7 @@ def main() -> None:
         swapbuffers()
         if kbhit():  # a space stops the balls; they wait for the next key
             flying = getch() == SPACE and getch() == SPACE
+
+
+if __name__ == "__main__":
+    main()

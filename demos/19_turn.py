@@ -1,6 +1,6 @@
 """Turn a picture without going back to space: the paper's M'.
 
-    python -m demos turn
+    python demos/19_turn.py
 
 What it shows: only the triples (x', y', z) of a picture are kept. One matrix M' turns them on the
 screen, a step of one degree at a time (left), and the picture stays the same as one mapped anew
@@ -13,24 +13,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi import (
-    IBM8514,
-    IBM8514LO,
-    LIGHTCYAN,
-    LIGHTRED,
-    WHITE,
-    YELLOW,
-    cleardevice,
-    getch,
-    getmaxx,
-    getmaxy,
-    initgraph,
-    kbhit,
-    line,
-    outtextxy,
-    setcolor,
-    swapbuffers,
-)
+from bgi import *
 from surfaces import FIGURES, Mapping, apply, rotation, sample, scaling
 
 MODE = (IBM8514, IBM8514LO)

@@ -1,6 +1,6 @@
 """A clock with hands, and a calendar.
 
-    python -m demos clock
+    python demos/09_clock.py
 
 What it shows: gettime() and getdate() of `bgi.dos` return small structures, as in C. An angle goes
 to the screen by sine and cosine, and whole arrays of angles do so at once: all sixty marks are one
@@ -11,41 +11,8 @@ import math
 
 import numpy as np
 
-from bgi import (
-    BLUE,
-    CENTER_TEXT,
-    CYAN,
-    DARKGRAY,
-    HORIZ_DIR,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTRED,
-    SANS_SERIF_FONT,
-    SOLID_FILL,
-    THICK_WIDTH,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    circle,
-    cleardevice,
-    delay,
-    dos,
-    fillellipse,
-    fillpoly,
-    getch,
-    graphdefaults,
-    initgraph,
-    kbhit,
-    line,
-    outtextxy,
-    setcolor,
-    setfillstyle,
-    setlinestyle,
-    settextjustify,
-    settextstyle,
-    swapbuffers,
-)
+from bgi import *
+from bgi import dos
 
 MODE = (VGA, VGAHI)
 X, Y, RADIUS = 240, 240, 200
@@ -147,3 +114,7 @@ def main() -> None:
         while dos.gettime().ti_sec == time.ti_sec and not kbhit():
             delay(10)
     getch()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,6 +1,6 @@
 """The twelve fill patterns and one's own, on everything that can be filled.
 
-    python -m demos fills
+    python demos/05_fills.py
 
 What it shows: setfillstyle() chooses pattern and colour for bar, fillpoly, fillellipse, pieslice,
 sector and floodfill alike; setfillpattern() takes eight bytes of one's own. Patterns are anchored
@@ -11,42 +11,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from bgi import (
-    BLUE,
-    BROWN,
-    CYAN,
-    GREEN,
-    INTERLEAVE_FILL,
-    LIGHTBLUE,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTGREEN,
-    LIGHTMAGENTA,
-    LIGHTRED,
-    LTBKSLASH_FILL,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    WIDE_DOT_FILL,
-    YELLOW,
-    bar,
-    circle,
-    ellipse,
-    fillellipse,
-    fillpoly,
-    floodfill,
-    line,
-    outtextxy,
-    pieslice,
-    rectangle,
-    sector,
-    setcolor,
-    setfillpattern,
-    setfillstyle,
-    textwidth,
-)
-from demos.pages import Page, leaf_through, show
+from bgi import *
+from gallery.pages import Page, leaf_through, show
 
 MODE = (VGA, VGAHI)
 NAMES = (
@@ -217,3 +183,7 @@ def draw() -> None:
 def main() -> None:
     """Leaf through the pages until Esc comes."""
     leaf_through(PAGES)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,6 +1,6 @@
 """Type any formula and walk round its surface.
 
-    python -m demos explore
+    python demos/20_explore.py
 
 What it shows: `surfaces.formula` makes a function of what you type, `surfaces.surface` draws it,
 and `plot.pick` reads back from any pixel the point (x, y, z) that is seen there. Enter begins a
@@ -29,44 +29,9 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from bgi import (
-    BLACK,
-    COPY_PUT,
-    DARKGRAY,
-    IBM8514,
-    IBM8514LO,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTGREEN,
-    LIGHTRED,
-    NORM_WIDTH,
-    SOLID_FILL,
-    SOLID_LINE,
-    THICK_WIDTH,
-    WHITE,
-    YELLOW,
-    Image,
-    bar,
-    cleardevice,
-    delay,
-    getimage,
-    getmaxcolor,
-    getmaxx,
-    getmaxy,
-    initgraph,
-    kbhit,
-    line,
-    mouse,
-    putimage,
-    setactivepage,
-    setcolor,
-    setfillstyle,
-    setlinestyle,
-    setviewport,
-    swapbuffers,
-    writeimagefile,
-)
-from demos.panel import (
+from bgi import *
+from bgi import mouse
+from gallery.panel import (
     DOWN,
     ENTER,
     ESC,

@@ -1,6 +1,6 @@
 """Paint with the mouse.
 
-    python -m demos paint
+    python demos/10_paint.py
 
 What it shows: the mouse driver's functions in `bgi.mouse`. A loop asks where the mouse is and which
 buttons are held, and joins the places by lines. The pointer is no part of the picture: it need not
@@ -10,28 +10,8 @@ Esc ends.
 
 import numpy as np
 
-from bgi import (
-    BLACK,
-    DARKGRAY,
-    LIGHTGRAY,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    bar,
-    delay,
-    fillellipse,
-    getch,
-    initgraph,
-    kbhit,
-    line,
-    mouse,
-    outtextxy,
-    rectangle,
-    setcolor,
-    setfillstyle,
-    setviewport,
-)
+from bgi import *
+from bgi import mouse
 
 MODE = (VGA, VGAHI)
 ESC = 27
@@ -142,3 +122,7 @@ def main() -> None:
         code = getch()
         obey(brush, chr(code))
     mouse.reset()
+
+
+if __name__ == "__main__":
+    main()

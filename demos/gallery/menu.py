@@ -2,7 +2,6 @@
 
 from functools import cache
 from textwrap import wrap
-from types import ModuleType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +33,7 @@ from bgi import (
     setfillstyle,
     swapbuffers,
 )
-from demos import NAMES, lesson, load, summary
+from gallery.catalogue import NAMES, Demo, load
 
 ENTER, ESC, UP, DOWN, HOME, END = 13, 27, 72, 80, 71, 79
 MARGIN, TOP = 16, 72
@@ -81,8 +80,8 @@ def _draw(selected: int) -> None:
     rectangle(
         PREVIEW_LEFT - 1, TOP - 1, PREVIEW_LEFT + PREVIEW_WIDTH, TOP + PREVIEW_HEIGHT, DARKGRAY
     )
-    texts = [(WHITE, text) for text in wrap(summary(demo), PREVIEW_WIDTH // 8)]
-    texts += [(LIGHTGRAY, text) for text in wrap(lesson(demo), PREVIEW_WIDTH // 8)]
+    texts = [(WHITE, text) for text in wrap(demo.summary, PREVIEW_WIDTH // 8)]
+    texts += [(LIGHTGRAY, text) for text in wrap(demo.lesson, PREVIEW_WIDTH // 8)]
     for number, (color, text) in enumerate(texts):
         _write(PREVIEW_LEFT, TOP + PREVIEW_HEIGHT + 14 + 12 * number, text, color)
     setfillstyle(SOLID_FILL, LIGHTGRAY)
@@ -108,7 +107,7 @@ def _write(x: int, y: int, text: str, color: int) -> None:
 
 
 @cache
-def _preview(demo: ModuleType) -> NDArray[np.uint8]:
+def _preview(demo: Demo) -> NDArray[np.uint8]:
     """A demo's picture at half its size; of four pixels the one with the highest colour stays."""
     cleardevice()
     demo.draw()

@@ -1,6 +1,6 @@
 """The ten stroked fonts and the built-in one: sizes, directions, justification.
 
-    python -m demos fonts
+    python demos/06_fonts.py
 
 What it shows: settextstyle() chooses a font, settextjustify() the point of the text that is put
 on x, y, and setusercharsize() stretches strokes freely. Letters of stroked fonts are lines: they
@@ -10,54 +10,8 @@ pages are tables of every character.
 
 from collections.abc import Callable
 
-from bgi import (
-    BLACK,
-    BOLD_FONT,
-    BOTTOM_TEXT,
-    CENTER_TEXT,
-    COMPLEX_FONT,
-    CYAN,
-    DARKGRAY,
-    DEFAULT_FONT,
-    EUROPEAN_FONT,
-    GOTHIC_FONT,
-    HORIZ_DIR,
-    LEFT_TEXT,
-    LIGHTBLUE,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTGREEN,
-    LIGHTMAGENTA,
-    LIGHTRED,
-    RIGHT_TEXT,
-    SANS_SERIF_FONT,
-    SCRIPT_FONT,
-    SIMPLEX_FONT,
-    SMALL_FONT,
-    SOLID_FILL,
-    TOP_TEXT,
-    TRIPLEX_FONT,
-    TRIPLEX_SCR_FONT,
-    USER_CHAR_SIZE,
-    VERT_DIR,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    bar3d,
-    getmaxx,
-    line,
-    outtextxy,
-    rectangle,
-    setcolor,
-    setfillstyle,
-    settextjustify,
-    settextstyle,
-    setusercharsize,
-    textheight,
-    textwidth,
-)
-from demos.pages import Page, leaf_through, show
+from bgi import *
+from gallery.pages import Page, leaf_through, show
 
 MODE = (VGA, VGAHI)
 BOTTOM = 455  # the last row below the bar
@@ -237,3 +191,7 @@ def draw() -> None:
 def main() -> None:
     """Leaf through the pages until Esc comes."""
     leaf_through(PAGES)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,29 +1,13 @@
 """The paper's figures 3, 4 and 5, side by side.
 
-    python -m demos paper
+    python demos/16_paper.py
 
 What it shows: "A Very Simple Approach for 3-D to 2-D Mapping" drew four functions as meshes in
 Turbo C, and two of them with colours in Java. Each figure is one call of `surfaces.surface`, which
 fits itself to the viewport it is drawn in. Any key ends.
 """
 
-from bgi import (
-    GREEN,
-    IBM8514,
-    IBM8514LO,
-    LIGHTGREEN,
-    WHITE,
-    YELLOW,
-    getch,
-    getmaxcolor,
-    getmaxx,
-    getmaxy,
-    initgraph,
-    outtextxy,
-    setcolor,
-    setviewport,
-    textwidth,
-)
+from bgi import *
 from surfaces import FIGURES, surface
 
 MODE = (IBM8514, IBM8514LO)

@@ -1,6 +1,6 @@
 """Moving colours instead of pixels.
 
-    python -m demos palette
+    python demos/07_palette.py
 
 What it shows: a pixel holds the number of a colour; the palette says how that number looks. When
 setallpalette() or setrgbpalette() changes the palette, everything on the screen changes at once,
@@ -12,48 +12,8 @@ import itertools
 
 import numpy as np
 
-from bgi import (
-    BLACK,
-    BLUE,
-    BROWN,
-    CYAN,
-    DARKGRAY,
-    EGA_BLUE,
-    EGA_CYAN,
-    EGA_LIGHTBLUE,
-    EGA_LIGHTCYAN,
-    EGA_LIGHTRED,
-    EGA_MAGENTA,
-    EGA_RED,
-    EGA_WHITE,
-    EGA_YELLOW,
-    GREEN,
-    IBM8514,
-    IBM8514LO,
-    LIGHTBLUE,
-    LIGHTCYAN,
-    LIGHTGREEN,
-    LIGHTRED,
-    RED,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    bar,
-    fillellipse,
-    fillpoly,
-    getpalette,
-    outtextxy,
-    putpixel,
-    rectangle,
-    setallpalette,
-    setcolor,
-    setfillstyle,
-    setpalette,
-    setrgbpalette,
-)
-from demos.pages import Page, leaf_through, show
+from bgi import *
+from gallery.pages import Page, leaf_through, show
 
 MODE = (VGA, VGAHI)
 WIDTH, HEIGHT = 640, 456  # what is left below the bar
@@ -122,7 +82,7 @@ LIGHTS = (
     (LIGHTRED, (60, 50, 10), (50, 40, 10), (20, 22, 30)),
 )
 HOURS = 90
-morning = itertools.cycle([*range(2 * HOURS), *range(2 * HOURS, 0, -1)])
+morning = itertools.cycle([*range(1, 2 * HOURS), *range(2 * HOURS, -1, -1)])
 
 
 def hills() -> None:
@@ -214,3 +174,7 @@ def draw() -> None:
 def main() -> None:
     """Leaf through the pages until Esc comes."""
     leaf_through(PAGES)
+
+
+if __name__ == "__main__":
+    main()

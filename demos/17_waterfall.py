@@ -1,6 +1,6 @@
 """A waterfall of spectra: data, not a formula.
 
-    python -m demos waterfall
+    python demos/17_waterfall.py
 
 What it shows: `surfaces.surface` takes an array of heights as well as a function. Each picture one
 more spectrum flows in at the front and one leaves at the back; `mode="waterfall"` draws only the
@@ -11,18 +11,7 @@ the mode, Esc ends.
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi import (
-    IBM8514,
-    IBM8514LO,
-    LIGHTCYAN,
-    cleardevice,
-    getch,
-    getmaxcolor,
-    initgraph,
-    kbhit,
-    setcolor,
-    swapbuffers,
-)
+from bgi import *
 from surfaces import surface
 
 MODE = (IBM8514, IBM8514LO)

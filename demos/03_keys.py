@@ -1,6 +1,6 @@
 """Every key that is pressed, and the numbers that a program gets for it.
 
-    python -m demos keys
+    python demos/03_keys.py
 
 What it shows: getch() returns the character of a key; for a key without one it returns a 0, and the
 next call returns the key's scan code. Characters beyond ASCII come in code page 437. Esc ends.
@@ -8,25 +8,7 @@ next call returns the key's scan code. Characters beyond ASCII come in code page
 
 from collections.abc import Sequence
 
-from bgi import (
-    CYAN,
-    DARKGRAY,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    bar,
-    cleardevice,
-    getch,
-    initgraph,
-    line,
-    outtextxy,
-    setcolor,
-    setfillstyle,
-)
+from bgi import *
 
 MODE = (VGA, VGAHI)
 ESC = 27
@@ -123,3 +105,7 @@ def main() -> None:
             codes.append(getch())
         row(place, codes)
         place = (place + 1) % ROWS
+
+
+if __name__ == "__main__":
+    main()

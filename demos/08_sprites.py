@@ -1,6 +1,6 @@
 """Figures that move over a picture, and leave it whole.
 
-    python -m demos sprites
+    python demos/08_sprites.py
 
 What it shows: getimage() takes a figure, putimage() puts it anywhere. XOR_PUT erases what it drew
 when it draws it again. AND_PUT with a mask cuts a hole in the shape of the figure, and OR_PUT sets
@@ -12,52 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bgi import (
-    AND_PUT,
-    BLACK,
-    BLUE,
-    BROWN,
-    COPY_PUT,
-    CYAN,
-    DARKGRAY,
-    GREEN,
-    INTERLEAVE_FILL,
-    LIGHTBLUE,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTGREEN,
-    LIGHTMAGENTA,
-    LIGHTRED,
-    NORM_WIDTH,
-    OR_PUT,
-    RED,
-    SOLID_FILL,
-    SOLID_LINE,
-    THICK_WIDTH,
-    VGA,
-    VGAHI,
-    WHITE,
-    XOR_PUT,
-    YELLOW,
-    Image,
-    arc,
-    bar,
-    cleardevice,
-    drawpoly,
-    fillellipse,
-    fillpoly,
-    getimage,
-    outtextxy,
-    putimage,
-    rectangle,
-    setactivepage,
-    setcolor,
-    setfillstyle,
-    setlinestyle,
-    swapbuffers,
-    textwidth,
-)
-from demos.pages import BAR, Page, leaf_through, show
+from bgi import *
+from gallery.pages import BAR, Page, leaf_through, show
 
 MODE = (VGA, VGAHI)
 WIDTH, HEIGHT = 640, 456  # what is left below the bar
@@ -227,6 +183,7 @@ class Aquarium:
         for body, stripe, length in kinds:
             fish = drawn_fish(body, stripe, length)
             self.fish.append((fish, mirrored(fish)))
+        self.time = 0
         self.water()
         self.picture = getimage(0, -BAR, WIDTH - 1, HEIGHT - 1)
         self.swim()
@@ -292,3 +249,7 @@ def draw() -> None:
 def main() -> None:
     """Leaf through the pages until Esc comes."""
     leaf_through(PAGES)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,6 +1,6 @@
 """Every way to draw, each in a panel of its own.
 
-    python -m demos tour
+    python demos/04_tour.py
 
 What it shows: a panel is a viewport. Inside it 0, 0 is its own corner and nothing is drawn beyond
 its edges, so every panel is a few lines that know nothing of the others. Space turns the palette:
@@ -11,52 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from bgi import (
-    BLUE,
-    CENTER_LINE,
-    COPY_PUT,
-    DARKGRAY,
-    DASHED_LINE,
-    DOTTED_LINE,
-    LIGHTBLUE,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    LIGHTGREEN,
-    LIGHTMAGENTA,
-    LIGHTRED,
-    NORM_WIDTH,
-    RED,
-    SOLID_FILL,
-    SOLID_LINE,
-    THICK_WIDTH,
-    USER_FILL,
-    USERBIT_LINE,
-    VGA,
-    VGAHI,
-    WHITE,
-    XOR_PUT,
-    YELLOW,
-    bar,
-    circle,
-    drawpoly,
-    fillpoly,
-    getch,
-    getmaxx,
-    getpalette,
-    graphdefaults,
-    initgraph,
-    line,
-    outtextxy,
-    putpixel,
-    rectangle,
-    setallpalette,
-    setcolor,
-    setfillstyle,
-    setlinestyle,
-    setviewport,
-    setwritemode,
-    textwidth,
-)
+from bgi import *
 
 MODE = (VGA, VGAHI)
 SPACE = ord(" ")
@@ -244,3 +199,7 @@ def main() -> None:
     draw()
     while getch() == SPACE:
         turn_palette()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,6 +1,6 @@
 """Two windows at once: draw in one, see it turned in the other.
 
-    python -m demos two_windows
+    python demos/12_two_windows.py
 
 What it shows: initwindow() opens another window, with a monitor of its own, and setcurrentwindow()
 says in which one the next calls draw. A pen draws a figure in the first window, and its mirror
@@ -9,28 +9,7 @@ image in the second, in colours of its own. Any key in the first window ends.
 
 from math import cos, pi, sin
 
-from bgi import (
-    BLACK,
-    COLOR,
-    LIGHTBLUE,
-    LIGHTGRAY,
-    VGA,
-    VGAHI,
-    closewindow,
-    delay,
-    fillellipse,
-    getch,
-    getcurrentwindow,
-    getmaxx,
-    getmaxy,
-    initgraph,
-    initwindow,
-    kbhit,
-    outtextxy,
-    setcolor,
-    setcurrentwindow,
-    setfillstyle,
-)
+from bgi import *
 
 MODE = (VGA, VGAHI)
 STEPS = 720
@@ -90,3 +69,7 @@ def main() -> None:
     setcurrentwindow(first)
     getch()
     closewindow(second)
+
+
+if __name__ == "__main__":
+    main()

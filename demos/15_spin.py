@@ -1,6 +1,6 @@
 """Turn a surface: three dimensions from a library that knows two.
 
-    python -m demos surfaces
+    python demos/15_spin.py
 
 What it shows: ``surfaces.surface`` draws z = f(x, y) with pixels only, 40,000 cells of it.  A turn
 is one matrix, made anew for each picture from two angles.  Each picture is drawn on the page that
@@ -14,21 +14,7 @@ is not shown, and ``swapbuffers`` then shows it whole: that is why nothing flick
 from dataclasses import dataclass
 from math import pi
 
-from bgi import (
-    IBM8514,
-    IBM8514LO,
-    WHITE,
-    YELLOW,
-    cleardevice,
-    getch,
-    getmaxcolor,
-    getmaxy,
-    initgraph,
-    kbhit,
-    outtextxy,
-    setcolor,
-    swapbuffers,
-)
+from bgi import *
 from surfaces import FIGURES, compose, rotation, surface
 
 MODE = (IBM8514, IBM8514LO)

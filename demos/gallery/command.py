@@ -1,0 +1,88 @@
+"""The command `python -m demos`: the gallery, one demo, or every demo's picture as a file."""
+
+import argparse
+import os
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from bgi import BGIError, WindowClosed, closegraph, initgraph, writeimagefile
+from bgi.monitor import display_exists
+from gallery import menu
+from gallery.catalogue import NAMES, load
+
+
+def main(arguments: Sequence[str] | None = None, prog: str = "python -m demos") -> int:
+    """Run the command, which is called `prog`; returns the process's exit code."""
+    options = _parser(prog).parse_args(arguments)
+    names = (options.name,) if options.name else NAMES
+    if options.list:
+        for name in names:
+            print(f"{name:13}{load(name).summary}")
+        return 0
+    if options.save is None and not os.environ.get("BGI_MONITOR") and not display_exists():
+        print(f"demos: no display to open a window on; try: {prog} --save DIR", file=sys.stderr)
+        return 1
+    try:
+        if options.save is not None:
+            _save(names, options.save)
+        elif options.name:
+            load(options.name).run()
+        else:
+            _gallery()
+    except WindowClosed:
+        pass  # the user has had enough
+    except KeyboardInterrupt:
+        return 130
+    except (BGIError, OSError) as error:
+        print(f"demos: {error}", file=sys.stderr)
+        return 1
+    finally:
+        closegraph()
+    return 0
+
+
+def _parser(prog: str) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog=prog, description="Show what graphics.h can do: a gallery of demos, or one of them."
+    )
+    parser.add_argument(
+        "name",
+        nargs="?",
+        type=_without_number,
+        choices=NAMES,
+        metavar="NAME",
+        help=f"run one demo: {', '.join(NAMES)}",
+    )
+    parser.add_argument("--list", action="store_true", help="list the demos")
+    parser.add_argument(
+        "--save", type=Path, metavar="DIR", help="write their pictures as PNG; needs no display"
+    )
+    return parser
+
+
+def _without_number(name: str) -> str:
+    """The name of a demo, which may be given as its file: 02_ball, 02_ball.py."""
+    return re.sub(r"^\d+_|\.py$", "", name)
+
+
+def _gallery() -> None:
+    """The menu, the demo chosen, the menu again."""
+    place = menu.choose(0)
+    while place is not None:
+        load(NAMES[place]).run()
+        place = menu.choose(place)
+
+
+def _save(names: Sequence[str], folder: Path) -> None:
+    """Draw demos where nobody looks, and write what they drew."""
+    os.environ["BGI_MONITOR"] = "none"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in names:
+        demo = load(name)
+        initgraph(*demo.mode)
+        demo.draw()
+        file = folder / f"{name}.png"
+        writeimagefile(file)
+        print(file)
