@@ -1,5 +1,7 @@
 """The keyboard, as conio.h has it: kbhit(), getch() and their like for the graphics window."""
 
+from __future__ import annotations
+
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
 

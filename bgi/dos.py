@@ -3,6 +3,8 @@
 Not star-exported: `random` and `sleep` would stand in the way of Python's own.
 """
 
+from __future__ import annotations
+
 import time as _time
 from dataclasses import dataclass
 

@@ -5,6 +5,8 @@ pointer is drawn by the monitor, over the picture and not into it: there is no n
 while drawing. Buttons are 0 left, 1 right, 2 middle; sets of buttons are sums of 1, 2 and 4.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 from bgi.graphics import current

@@ -1,5 +1,7 @@
 """The mouse over the window, by WinBGIm's calls. What INT 33h could do is in `bgi.mouse`."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 from bgi.constants import NO_CLICK, WM_MBUTTONDBLCLK, WM_MOUSEMOVE

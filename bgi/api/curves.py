@@ -7,6 +7,8 @@ the mode's aspect ratio; the others take both radii as they are. A radius of 0 i
 negative ones, and those above 6553, draw nothing. Arrays draw many.
 """
 
+from __future__ import annotations
+
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import arccoordstype

@@ -5,6 +5,8 @@ outside is cut off. A float is truncated toward zero. Wherever numbers go, array
 numbers go too: they broadcast, and mean the same call once for every element, in order.
 """
 
+from __future__ import annotations
+
 from typing import Any, overload
 
 import numpy as np

@@ -4,6 +4,8 @@ Patterns are opaque (their gaps become index 0) and anchored to the screen, so t
 fills join without a seam. Fills ignore the write mode.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from bgi.graphics import current

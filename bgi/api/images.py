@@ -1,5 +1,7 @@
 """Pieces of the screen, in memory and on disk."""
 
+from __future__ import annotations
+
 import os
 
 from bgi.graphics import current

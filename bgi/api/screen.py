@@ -1,5 +1,7 @@
 """The screen: its mode, size, viewport, pages, colours and palette."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from bgi.graphics import current

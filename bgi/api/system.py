@@ -1,5 +1,7 @@
 """Drivers and modes: opening and closing graphics, and what went wrong."""
 
+from __future__ import annotations
+
 from bgi.constants import (
     CURRENT_DRIVER,
     DETECT,

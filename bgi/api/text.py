@@ -5,6 +5,8 @@ is a picture like any other. A str is written in code page 437, "?" standing for
 bytes are written as they are.
 """
 
+from __future__ import annotations
+
 from bgi.graphics import current
 from bgi.kernel.arguments import Number
 from bgi.settings import textsettingstype

@@ -1,5 +1,7 @@
 """Windows of any size and colours of any mixture: the names that WinBGIm added to graphics.h."""
 
+from __future__ import annotations
+
 from bgi.constants import ALL_WINDOWS, grOk
 from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole

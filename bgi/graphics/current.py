@@ -5,6 +5,8 @@ after the window was closed, a stand-in sits there whose every use raises the ri
 drawing functions need not look. Screens are numbered as they open, like WinBGIm's windows.
 """
 
+from __future__ import annotations
+
 from typing import NoReturn, cast
 
 from bgi.constants import ALL_WINDOWS, CURRENT_WINDOW, NO_CURRENT_WINDOW

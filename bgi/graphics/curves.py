@@ -1,5 +1,7 @@
 """Circles, ellipses, arcs, pies."""
 
+from __future__ import annotations
+
 from bgi.constants import grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, whole

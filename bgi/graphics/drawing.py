@@ -1,5 +1,7 @@
 """Pixels, lines and outlines: the number path and the array path of each call."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
 import numpy as np

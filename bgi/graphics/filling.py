@@ -1,5 +1,7 @@
 """Filled boxes and polygons, and flood filling."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any

@@ -4,6 +4,8 @@ How a call is repeated for arrays, how a line is drawn in the style that is set,
 filled in the pattern that is set. All points here are absolute: the viewport's origin is in them.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any
 

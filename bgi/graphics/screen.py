@@ -4,6 +4,8 @@ Its mode and pages of video memory, palette, viewport, current position and sett
 methods are calls of graphics.h; `bgi.api.screen` says what each means.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import replace
 

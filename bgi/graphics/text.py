@@ -1,5 +1,7 @@
 """Text in the built-in font of cells and in the stroked fonts."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
 import numpy as np

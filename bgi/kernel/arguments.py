@@ -7,7 +7,7 @@ order.
 """
 
 import operator
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -15,8 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 Number = int | float | np.integer[Any] | np.floating[Any]
-Numbers = Number | Sequence[Any] | NDArray[Any]
-"""A number, or an array, list or tuple of numbers."""
+Numbers = Number | list[Any] | tuple[Any, ...] | range | NDArray[Any]
+"""A number, or what `is_array` accepts; a Sequence would let a str pass.
+
+The public modules keep annotations unevaluated (`from __future__ import annotations`): so help()
+shows these two names, not what they stand for.
+"""
 
 
 LIMIT = 1 << 24

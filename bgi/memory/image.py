@@ -6,6 +6,8 @@ intensity, red, green, blue. With 2, 4 or 256 colours its pixels are packed, 1, 
 Every plane of a row fills whole bytes. (A RIPscrip .ICN file is such a block.)
 """
 
+from __future__ import annotations
+
 import struct
 from dataclasses import dataclass
 
@@ -90,7 +92,7 @@ class Image:
         return header + rows.tobytes() + _TRAILER
 
     @classmethod
-    def frombytes(cls, data: bytes | bytearray | memoryview, colors: int = 16) -> "Image":
+    def frombytes(cls, data: bytes | bytearray | memoryview, colors: int = 16) -> Image:
         """Read an image from Borland's layout, as screens of so many colours have it.
 
         ValueError if the data end before the image does.

@@ -49,11 +49,12 @@ def test_star_import_shadows_nothing_of_python():
 
 @pytest.mark.parametrize("name", DRAWING)
 def test_same_signature_as_the_method(name):
-    method = list(inspect.signature(getattr(Graphics, name)).parameters.values())[1:]
-    function = list(inspect.signature(getattr(bgi, name)).parameters.values())
-    assert [(p.name, p.default, p.annotation) for p in function] == [
-        (p.name, p.default, p.annotation) for p in method
-    ]
+    function = inspect.signature(getattr(bgi, name), eval_str=True)
+    method = inspect.signature(getattr(Graphics, name), eval_str=True)
+    itself, *parameters = method.parameters.values()
+    assert itself.name == "self"
+    assert list(function.parameters.values()) == parameters
+    assert function.return_annotation == method.return_annotation
 
 
 @pytest.mark.parametrize("name", DRAWING)
