@@ -16,7 +16,8 @@ from collections.abc import Callable
 
 import bgi
 from bgi.graphics import current
-from bgi.monitor import Window, display_exists
+from bgi.machine import display_exists
+from bgi.monitor import Window
 
 FLIPS = 20_000
 TICKS = os.sysconf("SC_CLK_TCK")

@@ -17,8 +17,8 @@ from pathlib import Path
 
 from bgi.errors import BGIError, WindowClosed
 from bgi.graphics import current
+from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly
-from bgi.monitor import display_exists
 from bgi.monitor.keyboard import parse_script
 
 

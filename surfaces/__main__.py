@@ -30,7 +30,7 @@ from bgi import (
     swapbuffers,
     writeimagefile,
 )
-from bgi.monitor import display_exists
+from bgi.machine import display_exists
 from surfaces.animation import PillowMissing, progress, save_gif
 from surfaces.formulas import FUNCTIONS, NAMES, OPERATORS, FormulaError, formula
 from surfaces.modes import MODES

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from bgi.memory.imagefile import save_png
-from bgi.memory.palette import SIXTEEN
+from bgi.memory.rgb import SIXTEEN
 from bgi.memory.sdl import pygame
 
 FAILED = Path(__file__).parent / "failed"

@@ -12,6 +12,7 @@ ROOT = Path(__file__).parent.parent
 LAYERS = [
     "bgi.constants",
     "bgi.errors",
+    "bgi.machine",
     "bgi.kernel.arguments",
     "bgi.kernel.modes",
     "bgi.raster.lines",

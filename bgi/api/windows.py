@@ -9,7 +9,6 @@ from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL
 from bgi.memory import rgb
 from bgi.memory.card import LARGEST
-from bgi.memory.palette import SIXTEEN
 
 # fmt: off
 __all__ = [
@@ -110,10 +109,7 @@ def COLOR(red: Number, green: Number, blue: Number) -> int:
     One of the 16 colours is returned as its index. On other screens only its low bits count.
     Source: WinBGIm.
     """
-    mixed = tuple(
-        whole(name, part) & 255 for name, part in (("red", red), ("green", green), ("blue", blue))
-    )
-    return SIXTEEN.index(mixed) if mixed in SIXTEEN else rgb.join(*mixed)
+    return rgb.number(whole("red", red), whole("green", green), whole("blue", blue))
 
 
 def IS_BGI_COLOR(color: Number) -> bool:
@@ -140,9 +136,8 @@ def converttorgb(color: Number) -> int:
     Args:
         color: an index 0..15, as it looks at first, or a colour from COLOR(). Source: WinBGIm.
     """
-    number = whole("color", color)
-    mixed = rgb.split(number) if rgb.is_rgb(number) else SIXTEEN[number & 15]
-    return rgb.join(*mixed) & 0xFFFFFF
+    red, green, blue = rgb.components(whole("color", color))
+    return blue << 16 | green << 8 | red
 
 
 def RED_VALUE(color: Number) -> int:
@@ -151,7 +146,7 @@ def RED_VALUE(color: Number) -> int:
     Args:
         color: as for converttorgb(). Source: WinBGIm.
     """
-    return converttorgb(color) & 255
+    return rgb.components(whole("color", color))[0]
 
 
 def GREEN_VALUE(color: Number) -> int:
@@ -160,7 +155,7 @@ def GREEN_VALUE(color: Number) -> int:
     Args:
         color: as for converttorgb(). Source: WinBGIm.
     """
-    return converttorgb(color) >> 8 & 255
+    return rgb.components(whole("color", color))[1]
 
 
 def BLUE_VALUE(color: Number) -> int:
@@ -169,4 +164,4 @@ def BLUE_VALUE(color: Number) -> int:
     Args:
         color: as for converttorgb(). Source: WinBGIm.
     """
-    return converttorgb(color) >> 16
+    return rgb.components(whole("color", color))[2]

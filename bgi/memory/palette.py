@@ -20,30 +20,15 @@ from numpy.typing import NDArray
 from bgi.constants import VGA
 from bgi.kernel.modes import GraphicsMode
 from bgi.memory import rgb
+from bgi.memory.rgb import EGA_VALUES, RGB, SIXTEEN, ega_rgb
 
-RGB = tuple[int, int, int]
-
-_EGA350 = [0, 1, 2, 3, 4, 5, 20, 7, 56, 57, 58, 59, 60, 61, 62, 63]
 _EGA200 = [0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23]
-
-
-def ega_rgb(value: int) -> RGB:
-    """The colour of an EGA value 0..63 (bits r g b R G B)."""
-    return (
-        0xAA * (value >> 2 & 1) + 0x55 * (value >> 5 & 1),
-        0xAA * (value >> 1 & 1) + 0x55 * (value >> 4 & 1),
-        0xAA * (value & 1) + 0x55 * (value >> 3 & 1),
-    )
 
 
 def six_bits(component: int) -> int:
     """A DAC component 0..63 as eight bits: 0, 21, 42, 63 are 00, 55, AA, FF."""
     component &= 63
     return component << 2 | component >> 4
-
-
-SIXTEEN = [ega_rgb(value) for value in _EGA350]
-"""The sixteen colours of COLORS, as everybody knows them."""
 
 
 def _dac_200() -> list[RGB]:
@@ -84,7 +69,7 @@ _WHITE = SIXTEEN[15]
 
 # name -> (hardware value of each index, colour of each hardware value)
 DEFAULTS: dict[str, tuple[list[int], list[RGB]]] = {
-    "EGA350": (_EGA350, _DAC_350),
+    "EGA350": (EGA_VALUES, _DAC_350),
     "EGA200": (_EGA200, _dac_200()),
     "EGA64HI": ([0, 1, 4, 7], _DAC_350),
     "CGAC0": ([0, 10, 12, 14], SIXTEEN),
@@ -93,7 +78,7 @@ DEFAULTS: dict[str, tuple[list[int], list[RGB]]] = {
     "CGAC3": ([0, 3, 5, 7], SIXTEEN),
     "CGAHI": ([0, 15], SIXTEEN),
     "MONO": ([0, 1], [(0, 0, 0), _WHITE]),
-    "WINDOW": (_EGA350, _DAC_350),
+    "WINDOW": (EGA_VALUES, _DAC_350),
     "IBM8514": (list(range(256)), _vga_256()),
 }
 

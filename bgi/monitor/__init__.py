@@ -1,7 +1,7 @@
 """Monitors: what shows the card's memory and sends keys back, and the choice between them.
 
-A monitor is anything that keeps the contract `Monitor`. `link.Window` is a window, drawn by the
-child process `window.py`; `headless.Headless` shows nothing.
+A monitor is anything that keeps the contract `Monitor`. `window.Window` is a window, drawn by a
+child process (`child.py`); `headless.Headless` shows nothing.
 """
 
 import functools
@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from bgi.errors import BGIError
+from bgi.machine import display_exists
 from bgi.memory.card import Card
 from bgi.monitor.headless import Headless
 from bgi.monitor.keyboard import KeyQueue
@@ -84,13 +85,6 @@ def choose(
         except BGIError as error:
             _say_that_there_is_no_window(str(error))
     return Headless(title=title, card=card, plan=plan)
-
-
-def display_exists() -> bool:
-    # SDL alone would not tell: without a display it draws into the void.
-    return sys.platform in ("win32", "darwin") or any(
-        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")
-    )
 
 
 @functools.cache  # once is enough

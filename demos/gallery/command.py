@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from bgi import BGIError, WindowClosed, closegraph, initgraph, writeimagefile
-from bgi.monitor import display_exists
+from bgi.machine import display_exists
 from gallery import menu
 from gallery.catalogue import NAMES, load
 
