@@ -16,7 +16,3 @@ from pathlib import Path
 
 # A demo finds its helpers, in gallery/, beside it: as Python does for a program that it runs.
 sys.path.insert(0, str(Path(__file__).parent))
-
-from gallery.catalogue import NAMES, Demo, load
-
-__all__ = ["NAMES", "Demo", "load"]

@@ -1,6 +1,6 @@
 """A turn as a GIF: pictures go in one after another, a file that moves comes out.
 
-Pillow writes it; it comes with `pip install pybgi[record]`. A bar on the terminal tells how far
+Pillow writes it; it comes with `pip install ".[record]"`. A bar on the terminal tells how far
 the drawing has come.
 """
 
@@ -29,7 +29,7 @@ def save_gif(
     with a line that helps, where Pillow is not installed; OSError if a file cannot be opened.
     """
     if importlib.util.find_spec("PIL") is None:
-        raise PillowMissing("a GIF needs Pillow; type: pip install pybgi[record]")
+        raise PillowMissing('a GIF needs Pillow; type: pip install ".[record]"')
     from PIL import Image
 
     def read(picture: str | PathLike[str]) -> Image.Image:

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -162,6 +163,62 @@ class TestWaysToRun:
         ran = run([*command, name], folder, BGI_KEYS="x", BGI_SHOT=str(shot))
         assert (ran.returncode, ran.stderr) == (0, "")
         assert_shows(shot, load(re.sub(r"\d+_|\.py", "", name)))
+
+
+class TestAnotherPackageInTheWay:
+    """A package of the same name, as someone may have installed it, is named in one line."""
+
+    def run_beside(self, folder, name, text, *arguments):
+        """Run the gallery where another package is found first."""
+        (folder / name).mkdir()
+        (folder / name / "__init__.py").write_text(text, encoding="utf-8")
+        path = os.pathsep.join(map(str, (folder, ROOT)))
+        return run([DEMOS, *arguments], folder, PYTHONPATH=path, BGI_KEYS="x")
+
+    @pytest.mark.parametrize("name", ["bgi", "surfaces"])
+    def test_is_named(self, tmp_path, name):
+        ran = self.run_beside(tmp_path, name, "", "paper")
+        assert ran.returncode == 1
+        assert ran.stderr.count("\n") == 1
+        assert str(tmp_path / name / "__init__.py") in ran.stderr
+        assert f"not the package {name}" in ran.stderr
+
+    def test_what_is_not_installed_is_named(self, tmp_path):
+        ran = self.run_beside(tmp_path, "pygame", "import _of_its_own", "hello")
+        assert ran.returncode == 1
+        assert ran.stderr == (
+            "demos: No module named '_of_its_own'; "
+            "in the folder of the project, type: pip install .\n"
+        )
+
+
+class TestWheel:
+    @pytest.fixture
+    def installed(self, tmp_path):
+        """A folder with what the wheel puts into site-packages."""
+        pytest.importorskip("hatchling", reason='hatchling is missing: pip install ".[test]"')
+        command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
+        subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+        (wheel,) = tmp_path.glob("*.whl")
+        with ZipFile(wheel) as archive:
+            archive.extractall(tmp_path / "installed")
+        return tmp_path / "installed"
+
+    def test_puts_two_packages_and_no_demos_into_site_packages(self, installed):
+        names = {path.name for path in installed.iterdir() if path.suffix != ".dist-info"}
+        assert names == {"bgi", "surfaces"}
+        demos = {path.name for path in (installed / "bgi" / "demos").glob("*.py")}
+        assert demos == {path.name for path in DEMOS.glob("*.py")}
+        assert not (installed / "bgi" / "demos.py").exists()
+
+    def test_has_the_gallery_and_every_picture(self, installed, tmp_path):
+        folder = tmp_path / "empty"
+        folder.mkdir()
+        ran = run(["-m", "bgi.demos", "--save", "."], folder, PYTHONPATH=str(installed))
+        assert (ran.returncode, ran.stderr) == (0, "")
+        assert ran.stdout.split() == [f"{name}.png" for name in NAMES]
+        for file in folder.iterdir():
+            assert np.array_equal(read_indices(file), read_indices(PICTURES / file.name))
 
 
 class TestMenu:

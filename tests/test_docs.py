@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 import bgi
-import demos
 from bgi.memory.sdl import pygame
+from gallery.catalogue import NAMES
 from tools import pictures
 
 ROOT = Path(__file__).parents[1]
@@ -58,13 +58,13 @@ def test_the_code_of_a_page_runs_and_draws_its_pictures(tmp_path, monkeypatch, p
     assert_drawn(pictures.draw_page(page, tmp_path), tmp_path)
 
 
-@pytest.mark.parametrize("name", demos.NAMES)
+@pytest.mark.parametrize("name", NAMES)
 def test_the_picture_of_a_demo_is_what_it_draws(tmp_path, name):
     assert_drawn(pictures.draw_demo(name, tmp_path), tmp_path)
 
 
 def test_every_picture_has_its_code():
-    drawn = [picture for _, picture in BLOCKS if picture] + [f"{name}.png" for name in demos.NAMES]
+    drawn = [picture for _, picture in BLOCKS if picture] + [f"{name}.png" for name in NAMES]
     assert sorted(drawn) == sorted(file.name for file in pictures.PICTURES.iterdir())
 
 

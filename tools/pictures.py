@@ -17,8 +17,9 @@ from typing import Any
 import numpy as np
 
 import bgi
-import demos
+import demos  # noqa: F401  (with it, its helpers are found)
 from bgi.graphics import current
+from gallery.catalogue import NAMES, load
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -78,7 +79,7 @@ def draw_page(page: Path, folder: Path) -> list[str]:
 
 def draw_demo(name: str, folder: Path) -> list[str]:
     """Save a demo's picture; returns its name."""
-    demo = demos.load(name)
+    demo = load(name)
     bgi.initgraph(*demo.mode)
     demo.draw()
     _save(folder / f"{name}.png", whole=True)
@@ -101,7 +102,7 @@ def main(folder: Path = PICTURES) -> None:
     """Draw all pictures."""
     os.environ.update(BGI_MONITOR="none", BGI_KEYS=KEYS)
     drawn = [name for page in pages() for name in draw_page(page, folder)]
-    drawn += [name for demo in demos.NAMES for name in draw_demo(demo, folder)]
+    drawn += [name for demo in NAMES for name in draw_demo(demo, folder)]
     print(f"{len(drawn)} pictures")
 
 

@@ -1,6 +1,7 @@
 """The demos in this folder: what each is called, what it says of itself, how it runs and looks."""
 
 import ast
+import os
 import runpy
 import subprocess
 import sys
@@ -66,10 +67,12 @@ class Demo:
 
     def _draw_what_it_shows(self) -> None:
         """Let it run for a moment where nobody looks, and show what it has drawn by then."""
+        own = {name: value for name, value in os.environ.items() if not name.startswith("BGI_")}
         with TemporaryDirectory() as folder:
             picture = Path(folder) / "picture.png"
             options = ["--monitor", "none", "--after", MOMENT, "--shot", str(picture)]
-            subprocess.run([sys.executable, "-m", "bgi", *options, str(self.file)], check=True)
+            command = [sys.executable, "-m", "bgi", *options, str(self.file)]
+            subprocess.run(command, env=own, check=True)
             readimagefile(picture)
 
     def _paragraph(self, number: int) -> str:

@@ -11,6 +11,7 @@ from bgi import BGIError, WindowClosed, closegraph, initgraph, writeimagefile
 from bgi.machine import display_exists
 from gallery import menu
 from gallery.catalogue import NAMES, load
+from gallery.foreign import explain
 
 
 def main(arguments: Sequence[str] | None = None, prog: str = "python -m demos") -> int:
@@ -35,6 +36,9 @@ def main(arguments: Sequence[str] | None = None, prog: str = "python -m demos") 
         pass  # the user has had enough
     except KeyboardInterrupt:
         return 130
+    except ImportError as error:
+        print(f"demos: {explain(error)}", file=sys.stderr)
+        return 1
     except (BGIError, OSError) as error:
         print(f"demos: {error}", file=sys.stderr)
         return 1

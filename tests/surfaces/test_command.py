@@ -114,7 +114,7 @@ def test_a_gif_without_pillow_says_what_to_type(
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     file = tmp_path / "a.gif"
     code, said = run(capsys, "x*y", "-o", str(file))
-    assert (code, said) == (1, "surfaces: a GIF needs Pillow; type: pip install pybgi[record]\n")
+    assert (code, said) == (1, 'surfaces: a GIF needs Pillow; type: pip install ".[record]"\n')
     assert not file.exists()
     with pytest.raises(PillowMissing):
         save_gif(file, iter([]), 10)

@@ -185,7 +185,7 @@ def test_f3_without_pillow(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     press(explorer, "F3", monkeypatch)
-    assert "pip install pybgi[record]" in explorer.note
+    assert 'pip install ".[record]"' in explorer.note
     assert not list(tmp_path.iterdir())
 
 
