@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 
 import bgi
-from bgi.graphics import current
+from bgi import current
 from bgi.machine import display_exists
 from bgi.monitor import Window
 

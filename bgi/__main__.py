@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from bgi import current
 from bgi.errors import BGIError, WindowClosed
-from bgi.graphics import current
 from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly
 from bgi.monitor.keyboard import parse_script

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number, whole
 
 EOF = -1

@@ -8,7 +8,7 @@ from __future__ import annotations
 import time as _time
 from dataclasses import dataclass
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
 from bgi.monitor.keyboard import bios_code

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number, whole
 from bgi.monitor.pointer import LEFT, MIDDLE, RIGHT, Count, pressed, released
 

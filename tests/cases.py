@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 import bgi
-from bgi.graphics import current
+from bgi import current
 from tests.pictures import read_indices
 
 ORIGINAL = Path(__file__).parent / "original"

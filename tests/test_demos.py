@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import bgi
-from bgi.graphics import current
+from bgi import current
 from gallery import menu
 from gallery.catalogue import NAMES, load
 from gallery.command import main as command

@@ -45,7 +45,7 @@ LAYERS = [
     "bgi.graphics.text",
     "bgi.graphics.images",
     "bgi.graphics",
-    "bgi.graphics.current",
+    "bgi.current",
     "bgi.conio",
     "bgi.dos",
     "bgi.mouse",

@@ -18,7 +18,7 @@ import numpy as np
 
 import bgi
 import demos  # noqa: F401  (with it, its helpers are found)
-from bgi.graphics import current
+from bgi import current
 from gallery.catalogue import NAMES, load
 
 ROOT = Path(__file__).parents[1]

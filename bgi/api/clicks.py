@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from bgi import current
 from bgi.constants import NO_CLICK, WM_MBUTTONDBLCLK, WM_MOUSEMOVE
-from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
 
 # fmt: off

@@ -9,7 +9,7 @@ negative ones, and those above 6553, draw nothing. Arrays draw many.
 
 from __future__ import annotations
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import arccoordstype
 

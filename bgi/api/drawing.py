@@ -12,7 +12,7 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import linesettingstype
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number, Numbers
 from bgi.settings import fillsettingstype
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number
 from bgi.memory.image import Image
 

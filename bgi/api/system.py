@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bgi import current
 from bgi.constants import (
     CURRENT_DRIVER,
     DETECT,
@@ -12,7 +13,6 @@ from bgi.constants import (
     grInvalidMode,
     grOk,
 )
-from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.drivers import Detect
 from bgi.kernel.state import KERNEL

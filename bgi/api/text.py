@@ -7,7 +7,7 @@ bytes are written as they are.
 
 from __future__ import annotations
 
-from bgi.graphics import current
+from bgi import current
 from bgi.kernel.arguments import Number
 from bgi.settings import textsettingstype
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from bgi import current
 from bgi.constants import ALL_WINDOWS, grOk
-from bgi.graphics import current
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL

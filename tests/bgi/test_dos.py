@@ -6,8 +6,7 @@ import time
 import pytest
 
 import bgi
-from bgi import conio, dos
-from bgi.graphics import current
+from bgi import conio, current, dos
 from bgi.monitor.headless import Headless
 from bgi.monitor.speaker import CLOCK, LOUDNESS, RATE, Speaker
 

@@ -5,7 +5,7 @@ import threading
 import pytest
 
 import bgi
-from bgi import mouse
+from bgi import current, mouse
 from bgi.api import clicks
 from bgi.constants import (
     NO_CLICK,
@@ -17,7 +17,6 @@ from bgi.constants import (
     WM_RBUTTONDOWN,
     WM_RBUTTONUP,
 )
-from bgi.graphics import current
 from bgi.monitor import pointer as state
 from bgi.monitor.pointer import MOVED, Mouse, pressed, released
 

@@ -3,7 +3,7 @@
 import pytest
 
 import bgi
-from bgi.graphics import current
+from bgi import current
 
 
 def look(index):

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import bgi
-from bgi import constants
-from bgi.graphics import current
+from bgi import constants, current
 from bgi.kernel.modes import MODES
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import bgi
-from bgi.graphics import current
+from bgi import current
 from tests.pictures import read_indices
 
 

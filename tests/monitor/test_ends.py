@@ -182,7 +182,7 @@ import threading
 window.close()
 os.environ["BGI_MONITOR"] = "window"
 import bgi
-from bgi.graphics import current
+from bgi import current
 bgi.initgraph(bgi.VGA, bgi.VGAHI)
 def draw(number):
     for i in range(300):

@@ -82,7 +82,7 @@ def test_a_ramp_of_ones_own_is_loaded() -> None:
     bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
     mine = Ramp(((0, 0, 0), (252, 0, 84)), (0, 4))
     palette(256, mine, "grey", False).load(Pen())
-    assert bgi.graphics.current.screen.card.palette[UPPER[-1]].tolist() == [255, 0, 85]
+    assert bgi.current.screen.card.palette[UPPER[-1]].tolist() == [255, 0, 85]
 
 
 @pytest.mark.parametrize("what", ["ramp", "under"])

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import bgi
-from bgi.graphics import current
+from bgi import current
 from bgi.monitor.pointer import MOVED, pressed, released
 from gallery.catalogue import load
 from gallery.panel import DELETE, END, EXTENDED, HOME, LEFT, RIGHT, UP, Editor, read_key
