@@ -5,6 +5,8 @@ from __future__ import annotations
 from bgi import current
 from bgi.kernel.arguments import Number, whole
 
+__all__ = ["EOF", "getch", "getche", "kbhit", "ungetch"]
+
 EOF = -1
 """What ungetch() returns when it cannot."""
 

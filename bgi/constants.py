@@ -3,7 +3,7 @@
 Nothing here computes anything: read it beside the manual.
 """
 
-# Graphics drivers (graphics_drivers)
+# A driver, for initgraph (graphics_drivers)
 CURRENT_DRIVER = -1
 DETECT = 0
 CGA = 1
@@ -17,7 +17,7 @@ ATT400 = 8
 VGA = 9
 PC3270 = 10
 
-# Graphics modes of each driver (graphics_modes)
+# A mode of a driver, for initgraph (graphics_modes)
 CGAC0 = 0
 CGAC1 = 1
 CGAC2 = 2
@@ -48,7 +48,7 @@ PC3270HI = 0
 IBM8514LO = 0
 IBM8514HI = 1
 
-# What graphresult() returns (graphics_errors)
+# What graphresult() may return (graphics_errors)
 grOk = 0
 grNoInitGraph = -1
 grNotDetected = -2
@@ -67,7 +67,7 @@ grInvalidFontNum = -14
 grInvalidDeviceNum = -15
 grInvalidVersion = -18
 
-# Colours: indices into the palette (COLORS)
+# A colour: its index in the palette (COLORS)
 BLACK = 0
 BLUE = 1
 GREEN = 2
@@ -85,9 +85,11 @@ LIGHTMAGENTA = 13
 YELLOW = 14
 WHITE = 15
 MAXCOLORS = 15
-BLINK = 128  # of text modes only
 
-# Colours of the CGA's four palettes (CGA_COLORS)
+# Added to a colour, makes text blink: in text modes only
+BLINK = 128
+
+# A colour in one of the CGA's four palettes (CGA_COLORS)
 CGA_LIGHTGREEN = 1
 CGA_LIGHTRED = 2
 CGA_YELLOW = 3
@@ -101,7 +103,7 @@ CGA_CYAN = 1
 CGA_MAGENTA = 2
 CGA_LIGHTGRAY = 3
 
-# Hardware colours of the EGA and VGA, for setpalette (EGA_COLORS)
+# A hardware colour of the EGA and VGA, for setpalette (EGA_COLORS)
 EGA_BLACK = 0
 EGA_BLUE = 1
 EGA_GREEN = 2
@@ -119,7 +121,7 @@ EGA_LIGHTMAGENTA = 61
 EGA_YELLOW = 62
 EGA_WHITE = 63
 
-# Line styles and widths (line_styles, line_widths)
+# A style or width of lines, for setlinestyle (line_styles, line_widths)
 SOLID_LINE = 0
 DOTTED_LINE = 1
 CENTER_LINE = 2
@@ -128,7 +130,7 @@ USERBIT_LINE = 4
 NORM_WIDTH = 1
 THICK_WIDTH = 3
 
-# Fill patterns (fill_patterns)
+# A fill pattern, for setfillstyle (fill_patterns)
 EMPTY_FILL = 0
 SOLID_FILL = 1
 LINE_FILL = 2
@@ -143,14 +145,14 @@ WIDE_DOT_FILL = 10
 CLOSE_DOT_FILL = 11
 USER_FILL = 12
 
-# putimage operators, of which setwritemode knows the first two (putimage_ops)
+# How putimage meets what is there; setwritemode takes the first two (putimage_ops)
 COPY_PUT = 0
 XOR_PUT = 1
 OR_PUT = 2
 AND_PUT = 3
 NOT_PUT = 4
 
-# Text: fonts, directions, justification (font_names, text_just)
+# A font, direction, size or justification of text (font_names, text_just)
 DEFAULT_FONT = 0
 TRIPLEX_FONT = 1
 SMALL_FONT = 2
@@ -171,7 +173,7 @@ RIGHT_TEXT = 2
 BOTTOM_TEXT = 0
 TOP_TEXT = 2
 
-# What registerbgidriver and registerbgifont take: the names of linked-in drivers and fonts
+# A linked-in driver or font, for registerbgidriver and registerbgifont
 CGA_driver = "CGA"
 EGAVGA_driver = "EGAVGA"
 Herc_driver = "HERC"
@@ -183,12 +185,12 @@ small_font = "LITT"
 sansserif_font = "SANS"
 gothic_font = "GOTH"
 
-# Windows by number (WinBGIm)
+# A window by number, for closewindow (WinBGIm)
 CURRENT_WINDOW = -1
 ALL_WINDOWS = -2
 NO_CURRENT_WINDOW = -3
 
-# What can happen to the mouse: WinBGIm's kinds of events, which are Windows' messages
+# A kind of event of the mouse: WinBGIm's, which are Windows' messages
 WM_MOUSEMOVE = 512
 WM_LBUTTONDOWN = 513
 WM_LBUTTONUP = 514

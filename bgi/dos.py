@@ -1,6 +1,7 @@
 """Time, sound, chance and the BIOS keyboard: dos.h, and parts of time.h, stdlib.h and bios.h.
 
-Not star-exported: `random` and `sleep` would stand in the way of Python's own.
+`from bgi import *` does not bring these names, since Python has a `random` and a `time` of its own:
+write `from bgi import dos`. After `from bgi.dos import *` those two names mean Borland's.
 """
 
 from __future__ import annotations
@@ -13,10 +14,32 @@ from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
 from bgi.monitor.keyboard import bios_code
 
+__all__ = [
+    "CLK_TCK",
+    "CLOCKS_PER_SEC",
+    "RAND_MAX",
+    "bioskey",
+    "biostime",
+    "clock",
+    "date",
+    "delay",
+    "getdate",
+    "gettime",
+    "nosound",
+    "rand",
+    "random",
+    "randomize",
+    "sleep",
+    "sound",
+    "srand",
+    "time",
+]
+
 CLK_TCK = CLOCKS_PER_SEC = 18.2
 """What clock() counts in a second: the PC's timer ticks."""
 
 RAND_MAX = 32767
+"""The largest number that rand() returns."""
 
 
 @dataclass
@@ -42,11 +65,11 @@ class date:
 
 
 def delay(milliseconds: Number) -> None:
-    """Wait for so many milliseconds (0 or more); the window goes on living meanwhile.
+    """Wait a number of milliseconds; the window stays alive meanwhile.
 
     Without a window the time is counted, not waited for, so that a program under test runs at full
     speed. Before initgraph it simply waits. Raises WindowClosed if the window is closed meanwhile,
-    TypeError or ValueError for anything but a finite number of 0 or more. Source: dos.h.
+    TypeError or ValueError for anything but a finite number, 0 or more. Source: dos.h.
     """
     wait = float(milliseconds)
     if not 0 <= wait < float("inf"):
@@ -58,7 +81,7 @@ def delay(milliseconds: Number) -> None:
 
 
 def sleep(seconds: Number) -> None:
-    """Wait for so many seconds (0 or more), otherwise like delay(). Source: dos.h."""
+    """Wait a number of seconds, as delay() waits milliseconds. Source: dos.h."""
     delay(1000 * float(seconds))
 
 
@@ -109,7 +132,7 @@ _BEGAN = _time.time()
 
 
 def sound(frequency: Number) -> None:
-    """Sound the speaker at so many hertz, until nosound(); returns at once.
+    """Sound the speaker at a frequency in hertz, until nosound(); returns at once.
 
     Another pitch follows without a gap. 0 is silence, and so is what nobody can hear. Where there
     is no sound card or no window nothing is heard. Raises BGIError before initgraph, for it is the

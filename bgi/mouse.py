@@ -44,7 +44,10 @@ def reset() -> int:
 
 
 def show() -> None:
-    """Show the pointer, if hide() has not been called oftener than show() since (AX = 1)."""
+    """Show the pointer (AX = 1).
+
+    Calls are counted: after two calls of hide() two of show() are needed.
+    """
     current.screen.monitor.mouse.show()
 
 

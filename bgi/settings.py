@@ -85,7 +85,7 @@ class palettetype:
 
 @dataclass(slots=True)
 class Settings:
-    """Everything that graphdefaults() puts back, but for the palette."""
+    """Everything that graphdefaults() puts back, except the palette."""
 
     color: int
     fill: fillsettingstype

@@ -1,23 +1,21 @@
 """The pages of docs/: their code runs, their pictures are what it draws, their tables are true."""
 
-import inspect
 import re
 from pathlib import Path
 
 import pytest
 
-import bgi
 from bgi.memory.sdl import pygame
 from gallery.catalogue import NAMES
-from tools import pictures
+from tools import a_to_z, pictures
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PAGES = pictures.pages()
-TEXTS = [page.read_text("utf-8") for page in sorted(DOCS.glob("*.md"))]
+TEXTS = [page.read_text("utf-8") for page in sorted(DOCS.glob("*.md")) if page != a_to_z.FILE]
 BLOCKS = [block for page in PAGES for block in pictures.blocks(page)]
 
-FUNCTIONS = sorted(name for name in bgi.__all__ if inspect.isfunction(getattr(bgi, name)))
+DOCUMENTED = a_to_z.documented()
 # The calls whose effect can be seen.
 SHOWN = """
     putpixel getpixel line lineto linerel rectangle drawpoly setlinestyle setwritemode
@@ -27,17 +25,6 @@ SHOWN = """
     getimage putimage setcolor setbkcolor setallpalette setrgbpalette
     setviewport clearviewport swapbuffers initwindow COLOR
 """
-
-
-def row(name):
-    """A call's line in a table: how it is written, and its docstring's first sentence."""
-    function = getattr(bgi, name)
-    parameters = inspect.signature(function).parameters.values()
-    written = ", ".join(
-        p.name if p.default is p.empty else f"{p.name}={p.default!r}" for p in parameters
-    )
-    summary = " ".join(inspect.getdoc(function).split("\n\n")[0].split())
-    return f"| `{name}({written})` | {summary.partition(' Source: ')[0]} |"
 
 
 def look(file):
@@ -74,10 +61,10 @@ def test_every_picture_of_a_page_belongs_to_code():
         assert shown == [picture for _, picture in pictures.blocks(page) if picture], page.name
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
+@pytest.mark.parametrize("name", DOCUMENTED)
 def test_every_call_stands_in_the_table_of_one_page(name):
-    rows = [line for text in TEXTS for line in text.splitlines() if line.startswith(f"| `{name}(")]
-    assert rows == [row(name)]
+    rows = [line for text in TEXTS for line in text.splitlines() if line.startswith(f"| `{name}`")]
+    assert rows == [a_to_z.row(name, DOCUMENTED[name])]
 
 
 @pytest.mark.parametrize("name", SHOWN.split())
@@ -93,6 +80,34 @@ def test_every_link_leads_to_a_file(file):
     assert not missing
 
 
-def test_the_index_names_every_page():
-    index = (DOCS / "README.md").read_text("utf-8")
-    assert all(f"]({page.name})" in index for page in PAGES)
+class TestIndex:
+    def test_names_every_page(self):
+        pages = sorted(DOCS.glob("*.md"))
+        assert sorted([*a_to_z.index(), a_to_z.FILE, DOCS / "README.md"]) == pages
+        assert f"]({a_to_z.FILE.name})" in (DOCS / "README.md").read_text("utf-8")
+
+    def test_calls_pages_by_their_headings(self):
+        index = (DOCS / "README.md").read_text("utf-8")
+        for page in a_to_z.index():
+            assert f"[{a_to_z.title(page)}]({page.name})" in index
+
+    def test_every_page_leads_on_and_back(self):
+        for page, line in a_to_z.last_lines().items():
+            assert page.read_text("utf-8").endswith(f"\n\n{line}\n"), "run: python -m tools.a_to_z"
+
+
+class TestAToZ:
+    TEXT = a_to_z.FILE.read_text("utf-8")
+
+    def test_is_what_the_docstrings_say(self):
+        assert a_to_z.text() == self.TEXT, "run: python -m tools.a_to_z"
+
+    def test_its_rows_have_three_cells(self):
+        rows = [line for line in self.TEXT.splitlines() if line.startswith("|")]
+        assert all(row.count("|") == 4 for row in rows)
+
+    @pytest.mark.parametrize("prefix", a_to_z.MODULES)
+    def test_has_every_name(self, prefix):
+        listed = {re.split(r"[ (`]", line[3:])[0] for line in self.TEXT.splitlines()}
+        for name in a_to_z.MODULES[prefix].__all__:
+            assert {prefix + name, name} & listed, name

@@ -131,7 +131,7 @@ def IS_RGB_COLOR(color: Number) -> bool:
 
 
 def converttorgb(color: Number) -> int:
-    """Return a colour as blue << 16 | green << 8 | red.
+    """Return a colour as one number, red + 256 * green + 65536 * blue.
 
     Args:
         color: an index 0..15, as it looks at first, or a colour from COLOR(). Source: WinBGIm.

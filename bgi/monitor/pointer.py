@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 MOVED = 1
 LEFT, RIGHT, MIDDLE = range(3)
+"""A button of the mouse."""
 
 DOUBLE_CLICK_SECONDS, DOUBLE_CLICK_PIXELS = 0.5, 4
 WAITING = 1000  # clicks that wait to be asked for; older ones are lost
