@@ -8,7 +8,7 @@ from bgi.kernel.arguments import Number, whole
 from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL
 from bgi.memory import rgb
-from bgi.memory.card import LARGEST
+from bgi.memory.card import MAX_SIDE
 
 # fmt: off
 __all__ = [
@@ -48,8 +48,8 @@ def initwindow(
     whole("top", top)
     if not isinstance(title, str):
         raise TypeError(f"title must be a str, not {type(title).__name__}: {title!r:.60}")
-    if not all(0 < side <= LARGEST for side in size):
-        raise ValueError(f"a window may be 1..{LARGEST} pixels wide and high, not {size}")
+    if not all(0 < side <= MAX_SIDE for side in size):
+        raise ValueError(f"a window may be 1..{MAX_SIDE} pixels wide and high, not {size}")
     number = current.open_window(window(*size), title)
     if dbflag:
         current.screen.setactivepage(1)
@@ -82,12 +82,12 @@ def setcurrentwindow(wid: Number) -> None:
 
 def getmaxwidth() -> int:
     """Return the width of the largest window that can be opened. Source: WinBGIm."""
-    return LARGEST
+    return MAX_SIDE
 
 
 def getmaxheight() -> int:
     """Return the height of the largest window that can be opened. Source: WinBGIm."""
-    return LARGEST
+    return MAX_SIDE
 
 
 def getwindowwidth() -> int:

@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 from bgi.constants import grInvalidFont
 
-MOST_BYTES = 1 << 16
+MAX_BYTES = 1 << 16
 """No font file is longer: its offsets have 16 bits."""
 
 _SIGNATURE = b"PK\x08\x08"
 _HEADER_SIZE = 0x80
-_MOST_OPERATIONS = 1 << 15  # all that fit; hostile characters could share one endless tail
+_MAX_OPERATIONS = 1 << 15  # all that fit; hostile characters could share one endless tail
 _HEADER = struct.Struct("<H4sH4B")  # header size, name, bytes after it, font and driver version
 _BLOCK = struct.Struct("<cHxBHBbbb5x")  # '+', count, first, strokes' offset, scan, cap, base, dec
 
@@ -70,7 +70,7 @@ class StrokedFont:
 def parse(data: bytes) -> StrokedFont:
     """Read the bytes of a `.CHR` file; FontError says what is wrong with them."""
     _check(data[:4] == _SIGNATURE, "does not begin as a Borland font does")
-    _check(len(data) <= MOST_BYTES, f"is longer than {MOST_BYTES} bytes")
+    _check(len(data) <= MAX_BYTES, f"is longer than {MAX_BYTES} bytes")
     text_end = data.find(b"\x1a")
     _check(text_end >= 0, "has no header")
     _check(text_end + 1 + _HEADER.size <= len(data), "ends inside its header")
@@ -108,7 +108,7 @@ def _all_strokes(data: bytes, offsets: tuple[int, ...]) -> tuple[tuple[Operation
         if offset not in found:
             found[offset] = _strokes(data, offset)
             total += len(found[offset])
-            _check(total <= _MOST_OPERATIONS, f"has more than {_MOST_OPERATIONS} strokes")
+            _check(total <= _MAX_OPERATIONS, f"has more than {_MAX_OPERATIONS} strokes")
     return tuple(found[offset] for offset in offsets)
 
 
@@ -145,7 +145,7 @@ def encode(font: StrokedFont, notice: str = "") -> bytes:
     count = len(font.widths)
     strokes_at = _BLOCK.size + 3 * count
     block = _BLOCK.pack(b"+", count, font.first, strokes_at, 0, font.cap, 0, font.dec)
-    if len(offsets) != count or _HEADER_SIZE + strokes_at + len(strokes) > MOST_BYTES:
+    if len(offsets) != count or _HEADER_SIZE + strokes_at + len(strokes) > MAX_BYTES:
         raise ValueError(f"{font.name}: too many strokes, or not a width for each character")
     block += struct.pack(f"<{count}H", *offsets) + bytes(font.widths) + strokes
     name = font.name.encode("cp437")

@@ -35,7 +35,7 @@ SIZES = {
 """What settextstyle's sizes 1..10 mean for stroked fonts."""
 
 
-_MOST_REMEMBERED = 80  # characters of a text: a long one is rarely drawn twice
+_MAX_REMEMBERED = 80  # characters of a text: a long one is rarely drawn twice
 _NOTHING = np.empty((0, 4), dtype=np.int64)
 
 
@@ -64,7 +64,7 @@ def segments(
 
     A row whose ends are one point is a dot. Characters outside the font draw nothing.
     """
-    find = _remembered if len(text) <= _MOST_REMEMBERED else _segments
+    find = _remembered if len(text) <= _MAX_REMEMBERED else _segments
     return find(font, text, scale, vertical)
 
 

@@ -11,12 +11,12 @@ from functools import lru_cache
 from importlib.resources import files
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
-from bgi.fonts.chr import MOST_BYTES, FontError, StrokedFont, parse
+from bgi.fonts.chr import MAX_BYTES, FontError, StrokedFont, parse
 
 STANDARD = ("TRIP", "LITT", "SANS", "GOTH", "SCRI", "SIMP", "TSCR", "LCOM", "EURO", "BOLD")
 """The fonts of graphics.h: TRIPLEX_FONT is 1, BOLD_FONT is 10."""
 
-_MOST_FONTS = 20
+_MAX_FONTS = 20
 _NAME_LENGTH = 8  # of a file in DOS
 _EXTENSION = ".CHR"
 
@@ -78,7 +78,7 @@ class FontTable:
         known = [other.upper() for other in self._names]
         if name.upper() in known:
             return known.index(name.upper()) + 1
-        if len(self._names) == _MOST_FONTS:
+        if len(self._names) == _MAX_FONTS:
             return grError
         self._names.append(name)
         return len(self._names)
@@ -107,7 +107,7 @@ def _open(entry: os.DirEntry[str], file: str) -> StrokedFont:
 def _parsed(path: str, changed: int, size: int) -> StrokedFont:
     """The font in a file, parsed again only when the file's time or size is new."""
     with open(path, "rb") as stream:
-        return parse(stream.read(MOST_BYTES + 1))
+        return parse(stream.read(MAX_BYTES + 1))
 
 
 @lru_cache(maxsize=len(STANDARD))

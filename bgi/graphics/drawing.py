@@ -12,8 +12,8 @@ from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import (
     Number,
     Numbers,
-    batches,
     broadcast,
+    in_chunks,
     is_array,
     polygon_points,
     whole,
@@ -58,7 +58,7 @@ class Drawing(Pen):
         if type(x) is int and type(y) is int and type(color) is int:
             self.page.put(x + self._dx, y + self._dy, color & self._mask)
         elif is_array(x) or is_array(y) or is_array(color):
-            for xs, ys, colors in batches(x=x, y=y, color=color):
+            for xs, ys, colors in in_chunks(x=x, y=y, color=color):
                 self.page.put_many(xs + self._dx, ys + self._dy, colors & self._mask)
         else:
             self.putpixel(whole("x", x), whole("y", y), whole("color", color))
@@ -69,7 +69,7 @@ class Drawing(Pen):
             return self.page.get(x + self._dx, y + self._dy)
         if is_array(x) or is_array(y):
             found = [
-                self.page.get_many(xs + self._dx, ys + self._dy) for xs, ys in batches(x=x, y=y)
+                self.page.get_many(xs + self._dx, ys + self._dy) for xs, ys in in_chunks(x=x, y=y)
             ]
             shape = np.broadcast_shapes(np.shape(x), np.shape(y))
             return np.concatenate([np.zeros(0, np.uint8), *found]).reshape(shape)

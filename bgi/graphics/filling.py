@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from bgi.constants import EMPTY_FILL, USER_FILL, grError
 from bgi.graphics.pen import Pen
-from bgi.kernel.arguments import BATCH, Number, Numbers, polygon_points, whole
+from bgi.kernel.arguments import CHUNK, Number, Numbers, polygon_points, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS, FILL_PATTERNS
@@ -147,8 +147,8 @@ class Filling(Pen):
             for one, shade, ink in zip(corners.tolist(), fills, colors, strict=True):
                 self._fill_polygon(self._shifted(one), int(shade), int(ink))
         else:
-            for start in range(0, len(corners), BATCH):
-                part = slice(start, start + BATCH)
+            for start in range(0, len(corners), CHUNK):
+                part = slice(start, start + CHUNK)
                 self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:

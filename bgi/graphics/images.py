@@ -11,7 +11,7 @@ from bgi.constants import COPY_PUT, NOT_PUT, grError
 from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
-from bgi.memory.image import LARGEST, Image, byte_size
+from bgi.memory.image import MAX_PIXELS, Image, byte_size
 from bgi.memory.imagefile import load, nearest, png, save_png, tagged
 
 Buffer = bytes | bytearray | memoryview
@@ -46,7 +46,7 @@ class Images(State):
         x1, x2 = sorted((whole("left", left), whole("right", right)))
         y1, y2 = sorted((whole("top", top), whole("bottom", bottom)))
         width, height = x2 - x1 + 1, y2 - y1 + 1
-        if width * height > LARGEST:
+        if width * height > MAX_PIXELS:
             raise ValueError(f"an image of {width}x{height} pixels is too large")
         image = Image(self.page.copy(x1 + self._dx, y1 + self._dy, width, height), self.mode.colors)
         if buffer is not None:
@@ -74,7 +74,7 @@ class Images(State):
         """Put a picture file on the active page, in the nearest colours."""
         x, width = _extent(whole("left", left), None if right is None else whole("right", right))
         y, height = _extent(whole("top", top), None if bottom is None else whole("bottom", bottom))
-        if (width or 1) * (height or 1) > LARGEST:
+        if (width or 1) * (height or 1) > MAX_PIXELS:
             raise ValueError(f"a picture of {width}x{height} pixels is too large")
         picture = load(filename, width, height)
         pixels: NDArray[Any] = (

@@ -28,10 +28,10 @@ from bgi.memory.page import FAR
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
 
-LARGEST = 10
+MAX_CHARSIZE = 10
 """The largest character size; what is larger is drawn in this size."""
 
-LARGEST_FACTOR = 32767
+MAX_FACTOR = 32767
 """The factors of setusercharsize() are 16-bit numbers."""
 
 
@@ -43,7 +43,7 @@ class Text(State):
     def settextstyle(self, font: Number, direction: Number, charsize: Number) -> None:
         """Choose font, direction and size; a font that cannot be had gives the built-in one."""
         number, way = whole("font", font), whole("direction", direction)
-        size = min(max(whole("charsize", charsize), USER_CHAR_SIZE), LARGEST)
+        size = min(max(whole("charsize", charsize), USER_CHAR_SIZE), MAX_CHARSIZE)
         self._font = None
         if number != DEFAULT_FONT:
             try:
@@ -73,7 +73,7 @@ class Text(State):
         scale = Scale(
             whole("multx", multx), whole("divx", divx), whole("multy", multy), whole("divy", divy)
         )
-        if scale.dx == 0 or scale.dy == 0 or max(map(abs, scale)) > LARGEST_FACTOR:
+        if scale.dx == 0 or scale.dy == 0 or max(map(abs, scale)) > MAX_FACTOR:
             KERNEL.result.set(grError)
             return
         self.settings.user_scale = scale

@@ -27,8 +27,8 @@ LIMIT = 1 << 24
 """Array coordinates below it stay int64; so small, their quotients are exact in floating point."""
 
 
-BATCH = 8192
-"""Elements handled at a time; larger temporaries would be slow to get and to fill."""
+CHUNK = 8192
+"""Elements worked on at a time: arrays of so many fit into the processor's cache."""
 
 
 def whole(name: str, value: object) -> int:
@@ -82,11 +82,11 @@ def broadcast(**arguments: object) -> list[NDArray[Any]]:
         raise ValueError(f"the arrays do not go together: {shapes}") from None
 
 
-def batches(**arguments: object) -> Iterator[list[NDArray[Any]]]:
-    """`broadcast`, some thousand elements at a time: what is made of them then fits the cache."""
+def in_chunks(**arguments: object) -> Iterator[list[NDArray[Any]]]:
+    """`broadcast`, CHUNK elements at a time."""
     arrays = broadcast(**arguments)
-    for start in range(0, len(arrays[0]), BATCH):
-        yield [array[start : start + BATCH] for array in arrays]
+    for start in range(0, len(arrays[0]), CHUNK):
+        yield [array[start : start + CHUNK] for array in arrays]
 
 
 def polygon_points(points: object, flat: object) -> list[tuple[int, int]] | NDArray[Any]:

@@ -46,16 +46,19 @@ import numpy.typing as npt
 
 MAGIC = b"BGICARD\0"
 VERSION = 1
-PALETTE = 64
-PIXELS = 4096
-LARGEST = 4096  # no mode is wider or higher; a header that says so is damaged
 DEPTHS = (1, 4)  # bytes per pixel
-ATTEMPTS = 10  # at a copy of a page, while the program turns to other pages all the time
+MAX_SIDE = 4096  # pixels: no mode is wider or higher; a header that says so is damaged
+CAPACITY = 2 * 1024 * 768  # bytes of pixels that every card holds: two pages of the largest mode
+ATTEMPTS = 10  # at a copy of a page, while the program changes the visible page all the time
+
+# Offsets.
+_AT_WIDTH, _AT_HEIGHT, _AT_PAGES, _AT_PIXEL_BYTES = 12, 16, 20, 24
+_AT_VISIBLE, _AT_CHANGES, _AT_SQUARE = 28, 32, 36
+AT_PALETTE, PALETTE_BYTES = 64, 256 * 3
+AT_PIXELS = 4096
 
 _HEADER = struct.Struct("<8s8I")  # magic and the eight numbers that follow it
 _U32 = struct.Struct("<I")
-_AT_WIDTH, _AT_HEIGHT, _AT_PAGES, _AT_PIXEL_BYTES = 12, 16, 20, 24
-_AT_VISIBLE, _AT_CHANGES, _AT_SQUARE = 28, 32, 36
 
 
 class Frame(NamedTuple):
@@ -71,11 +74,11 @@ class Frame(NamedTuple):
 class Card:
     """A graphics card: pages of pixels, 256 colours, and the number of the page that is shown.
 
-    `capacity` is the memory for pixels in bytes; the default holds two pages of 1024 x 768.
+    `capacity` is the memory for pixels in bytes.
     """
 
-    def __init__(self, capacity: int = 2 * 1024 * 768) -> None:
-        size = PIXELS + capacity
+    def __init__(self, capacity: int = CAPACITY) -> None:
+        size = AT_PIXELS + capacity
         if sys.platform == "win32":
             name = f"bgi-{os.getpid()}-{os.urandom(8).hex()}"
             self._take(mmap.mmap(-1, size, tagname=name), f"tag:{name}:{size}", None)
@@ -95,7 +98,7 @@ class Card:
         if kind not in ("fd", "tag") or not name or not digits.isdecimal():
             raise ValueError(f"not the handle of a graphics card: {handle!r}")
         size = int(digits)
-        if size < PIXELS:
+        if size < AT_PIXELS:
             raise ValueError(f"{handle!r} is too small to be a graphics card")
         card = cls.__new__(cls)
         if sys.platform == "win32":
@@ -125,7 +128,7 @@ class Card:
         into the card.
         """
         used = width * height * pages * pixel_bytes
-        if not (0 < width <= LARGEST and 0 < height <= LARGEST and pages > 0):
+        if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE and pages > 0):
             raise ValueError(f"no mode has {pages} pages of {width} x {height} pixels")
         if pixel_bytes not in DEPTHS:
             raise ValueError(f"a pixel has 1 or 4 bytes, not {pixel_bytes}")
@@ -135,7 +138,7 @@ class Card:
                 f"the card has {self.capacity}"
             )
         self._set(_AT_WIDTH, 0)
-        self._map[PIXELS : PIXELS + used] = bytes(used)
+        self._map[AT_PIXELS : AT_PIXELS + used] = bytes(used)
         self._set(_AT_HEIGHT, height)
         self._set(_AT_PAGES, pages)
         self._set(_AT_PIXEL_BYTES, pixel_bytes)
@@ -147,7 +150,7 @@ class Card:
     @property
     def capacity(self) -> int:
         """The memory for pixels, in bytes."""
-        return len(self._map) - PIXELS
+        return len(self._map) - AT_PIXELS
 
     @property
     def width(self) -> int:
@@ -196,12 +199,12 @@ class Card:
     @property
     def palette(self) -> npt.NDArray[np.uint8]:
         """The colours as a (256, 3) array of red, green, blue: a view, write to it."""
-        return np.frombuffer(self._map, np.uint8, 768, PALETTE).reshape(256, 3)
+        return np.frombuffer(self._map, np.uint8, PALETTE_BYTES, AT_PALETTE).reshape(256, 3)
 
     def page(self, number: int) -> memoryview:
         """The bytes of one page, writable, row by row; ValueError if there is no such page."""
         size = self.width * self.height * self.pixel_bytes
-        start = PIXELS + self._existing(number) * size
+        start = AT_PIXELS + self._existing(number) * size
         return memoryview(self._map)[start : start + size]
 
     def frame(self) -> Frame | None:
@@ -212,7 +215,7 @@ class Card:
         for _ in range(ATTEMPTS):
             header = _HEADER.unpack_from(self._map)
             frame = self._copy(header)
-            # If the program has turned to another page meanwhile, it may have drawn on this one.
+            # If another page has become visible meanwhile, the program may have drawn on this one.
             if header == _HEADER.unpack_from(self._map):
                 return frame
         return None
@@ -220,21 +223,21 @@ class Card:
     def _copy(self, header: tuple[Any, ...]) -> Frame | None:
         _, _, width, height, pages, pixel_bytes, visible, _, square = header
         size = width * height * pixel_bytes
-        if not (0 < width <= LARGEST and 0 < height <= LARGEST and visible < pages):
+        if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE and visible < pages):
             return None
         if pixel_bytes not in DEPTHS or size * pages > self.capacity:
             return None
-        start = PIXELS + visible * size
+        start = AT_PIXELS + visible * size
         return Frame(width, height, pixel_bytes, bool(square), self._map[start : start + size])
 
     def checksum(self) -> int:
         """A number that tells whether anything has changed: any pixel, colour or setting."""
-        used = PIXELS + self.width * self.height * self.pages * self.pixel_bytes
+        used = AT_PIXELS + self.width * self.height * self.pages * self.pixel_bytes
         return int(np.frombuffer(self._map, np.uint64, used // 8).sum())
 
     def close(self) -> None:
         """Let go of the memory; views that somebody still holds stay valid until dropped."""
-        # A view somebody holds keeps the mapping: the garbage collector will end it with the view.
+        # A view that somebody holds keeps the mapping; both end together when it is dropped.
         with contextlib.suppress(BufferError):
             self._map.close()
         self._release()
@@ -262,7 +265,7 @@ def _anonymous_file(size: int) -> int:
     import tempfile
 
     with tempfile.TemporaryFile() as file:
-        # Written, not just truncated: a full disk must be found out here, not at some later pixel.
+        # Written, not only truncated: a full disk must be noticed here, not at some later pixel.
         file.write(bytes(size))
         file.flush()
         return os.dup(file.fileno())

@@ -20,7 +20,7 @@ from bgi.memory.palette import DEFAULTS
 _LAYOUTS = {2: (1, 1), 4: (1, 2), 16: (4, 1), 256: (1, 8)}
 _HEADER = struct.Struct("<HH")
 _TRAILER = b"\0\0"
-LARGEST = 1 << 26
+MAX_PIXELS = 1 << 26
 """Pixels that an image may have: far more than any screen."""
 
 

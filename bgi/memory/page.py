@@ -138,7 +138,7 @@ class Page:
         visible, kept = lines.clip_many(segments, self.box)
         x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
         lengths = np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1
-        for part in lines.batches(lengths, lines.PIXELS):
+        for part in lines.grouped(lengths, lines.CHUNK):
             x, y, step, line = lines.trace_many((x1[part], y1[part], x2[part], y2[part]))
             place = y * self.width + x
             if pattern is not SOLID_MASK:

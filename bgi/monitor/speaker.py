@@ -14,7 +14,7 @@ CLOCK = 1_193_180
 RATE = 44_100  # samples a second
 CHUNK = 512  # samples that are asked for at a time: the delay of a change is below 12 ms
 LOUDNESS = 4000  # of 32767: a speaker is no orchestra
-HIGHEST = 20_000  # what nobody hears is not played: it would only fold back
+MAX_HERTZ = 20_000  # what nobody hears is not played: it would only fold back
 
 
 class Speaker:
@@ -30,7 +30,7 @@ class Speaker:
         """Play a pitch until told otherwise; 0 is silence."""
         counts = CLOCK // hertz if hertz > 0 else 0
         frequency = CLOCK / counts if counts else 0.0
-        self._step = frequency / RATE if frequency <= HIGHEST else 0.0
+        self._step = frequency / RATE if frequency <= MAX_HERTZ else 0.0
         if self._step and not self._tried:
             self._tried = True
             with quietly():

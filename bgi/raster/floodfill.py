@@ -1,7 +1,8 @@
 """Flood filling: the 4-connected area around a point, as rows.
 
-From each run of the area the driver looks at the rows above and below, and goes on wherever it sees
-a pixel that is not border and does not look filled already: what looks filled stops it. The
+This is span filling (A. R. Smith, "Tint Fill", SIGGRAPH 1979): whole runs of a row are filled, and
+from each of them the rows above and below are searched. The driver goes on wherever it sees a pixel
+that is not border and does not look filled already: what looks filled stops it. The
 original keeps its seeds on a short stack and loses what does not fit; here nothing is lost,
 whatever the shape, and every run is visited once.
 """

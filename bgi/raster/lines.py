@@ -1,13 +1,17 @@
 """Lines: which pixels, clipped how, in which order.
 
-The driver draws every line downwards (a level one from its first point), with both ends: n steps
-along the longer axis, and after i of them `(2 * m * i + n) // (2 * n)` along the shorter one (m its
-length), so that an exact tie steps early. The kernel clips before: it moves an outside end to one
-violated edge after another, left or right, then top or bottom, the other coordinate truncated
-toward zero, and the driver then draws a fresh line between the clipped ends.
+The pixels are those of Bresenham's line ("Algorithm for computer control of a digital plotter", IBM
+Systems Journal 4, 1965); an exact tie steps early. The driver draws every line downwards, a level
+one from its first point, both ends included: n steps along the longer axis, and after i of them
+`(2 * m * i + n) // (2 * n)` steps along the shorter one, where m is its length.
 
-A thick line is three thin ones, clipped each on its own: the line itself, then shifted by -1, then
-by +1; in y if the line is rather level, else in x.
+The kernel clips before that, as Cohen and Sutherland do (Newman and Sproull, "Principles of
+Interactive Computer Graphics", 1973): an end that is outside moves to one violated edge after
+another, first left or right, then top or bottom. Its other coordinate is truncated toward zero, and
+the driver draws a new line between the clipped ends: its pixels may differ from the whole line's.
+
+A thick line is three thin ones, each clipped on its own: the line itself, the same shifted by -1,
+the same shifted by +1; in y if it is more level than upright, else in x.
 """
 
 from collections.abc import Iterator
@@ -24,16 +28,18 @@ Segment = tuple[int, int, int, int]
 Segments = tuple[Ints, Ints, Ints, Ints]
 """x1, y1, x2, y2 of many lines."""
 
-PIXELS = 8192
-"""Pixels traced at a time."""
+CHUNK = 8192
+"""Pixels traced at a time: arrays of so many fit into the processor's cache."""
 _MOVES = 8
 """More moves than any line needs to come inside: each end crosses at most two edges."""
+_FRACTION_BITS = 32
+"""Bits after the binary point of a step along the shorter axis."""
 
 
 def toward_zero(numerator: Any, denominator: Any) -> Any:
-    """The quotient as C computes it, for ints and arrays; anything where the denominator is 0.
+    """The quotient as C computes it, for ints and arrays; any number where the denominator is 0.
 
-    An int64 array must hold less than 2**52: then floating point is exact, and much faster.
+    The numbers of an int64 array must be below 2**52: then floating point is exact, and faster.
     """
     denominator = denominator + (denominator == 0)
     if isinstance(numerator, np.ndarray) and numerator.dtype != object:
@@ -59,6 +65,7 @@ def clip(x1: int, y1: int, x2: int, y2: int, box: Box) -> Segment | None:
 
 
 def _move(x: int, y: int, dx: int, dy: int, box: Box) -> tuple[int, int]:
+    """One step of `clip`: an outside end goes to the left or right edge, else to top or bottom."""
     left, top, right, bottom = box
     if not left <= x <= right:
         edge = left if x < left else right
@@ -98,6 +105,7 @@ def _outside(x: Ints, y: Ints, box: Box) -> NDArray[np.bool_]:
 def _moved(
     x: Ints, y: Ints, dx: Ints, dy: Ints, wanted: NDArray[np.bool_], box: Box
 ) -> tuple[Ints, Ints]:
+    """`_move` for arrays: those ends move that are wanted."""
     left, top, right, bottom = box
     ahead = np.where(wanted, np.clip(x, left, right) - x, 0)
     down = np.where(wanted & (ahead == 0), np.clip(y, top, bottom) - y, 0)
@@ -105,7 +113,7 @@ def _moved(
 
 
 def places(segment: Segment, width: int) -> Ints:
-    """The pixels of one thin line, as places on a page of that width, in drawing order."""
+    """The pixels of one thin line in drawing order, as places `y * width + x` on a page."""
     x1, y1, x2, y2 = segment
     if y2 < y1:
         x1, y1, x2, y2 = x2, y2, x1, y1
@@ -114,19 +122,22 @@ def places(segment: Segment, width: int) -> Ints:
     n, m, along, across = abs(dx), dy, right, width
     if dy > n:
         n, m, along, across = dy, n, width, right
-    # The rule's fractions are multiples of 1 / 2n: half of that more outweighs what a step with 32
-    # bits of fraction lacks. (A level or upright line needs steps too, to be as long as it is.)
-    length = n or 1
-    start, step = (1 << 31) + (1 << 30) // length, (m << 32) // length or 1
+    # The exact positions are multiples of 1 / 2n. Adding a half rounds them, adding 1 / 4n more
+    # keeps the truncated step on the right side. (A step of 0 would make arange() empty.)
+    length, one = n or 1, 1 << _FRACTION_BITS
+    start, step = one // 2 + one // 4 // length, m * one // length or 1
     place = np.arange(start, start + (n + 1) * step, step)
-    place >>= 32
+    place >>= _FRACTION_BITS
     place *= across
     place += np.arange(y1 * width + x1, y1 * width + x1 + (n + 1) * along, along)
     return place
 
 
 def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
-    """The pixels of many thin lines one after another: x, y, step from the line's start, line."""
+    """The pixels of many thin lines, one line after another.
+
+    Returns x, y, the number of steps from the line's start, and the line's number.
+    """
     x1, y1, x2, y2 = segments
     up = y2 < y1
     x1, x2 = np.where(up, x2, x1), np.where(up, x1, x2)
@@ -144,8 +155,8 @@ def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
     return x1[line] + in_x * np.sign(dx)[line], y1[line] + in_y, step, line
 
 
-def batches(sizes: Ints, most: int) -> Iterator[slice]:
-    """Cut consecutive things into groups of about that size together, at least one a group."""
+def grouped(sizes: Ints, most: int) -> Iterator[slice]:
+    """Cut a row of things into groups of at most that size together, or of one large thing."""
     ends = np.cumsum(sizes)
     start, total = 0, 0
     while start < len(ends):

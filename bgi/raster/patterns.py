@@ -36,14 +36,14 @@ FILL_PATTERNS = [
 EMPTY_ROWS = FILL_PATTERNS[0]
 SOLID_ROWS = FILL_PATTERNS[1]
 
-_LONGEST = 1 << 13
-"""More pixels than a line has on any page."""
+_MAX_LENGTH = 1 << 13
+"""Pixels: more than a line has on any page."""
 
 
 @lru_cache(maxsize=64)
 def line_mask(pattern: int) -> NDArray[np.bool_]:
     """The bits of a line pattern as booleans, in drawing order, for the longest line there is."""
-    return np.tile((pattern >> np.arange(16) & 1).astype(bool), _LONGEST // 16)
+    return np.tile((pattern >> np.arange(16) & 1).astype(bool), _MAX_LENGTH // 16)
 
 
 SOLID_MASK = line_mask(0xFFFF)

@@ -1,10 +1,13 @@
 """Polygons: their paths, their edges, and the rows that fill them.
 
+This is scan-line filling by the even-odd rule (Foley, van Dam, Feiner and Hughes, "Computer
+Graphics: Principles and Practice", 1990, 3.6), with the kernel's choice of pixels.
+
 A path that comes back to its first point ends there, and the next point starts another one: that is
-how Borland's kernel puts several outlines into one polygon. An edge counts on the rows from its
-upper end to just above its lower one; on such a row it crosses at `x + (row - y) * dx / dy`,
-truncated toward zero, measured from the upper end. The crossings of a row, sorted, are filled in
-pairs, both ends included (even-odd rule).
+how Borland's kernel puts several outlines into one polygon. An edge crosses the rows from its upper
+end to the one above its lower end; x, y being the upper end, the crossing is at
+`x + (row - y) * dx / dy`, the quotient truncated toward zero. The crossings of a row are sorted and
+filled in pairs, both ends included.
 """
 
 from collections.abc import Sequence
@@ -19,7 +22,7 @@ Rows = tuple[Sequence[int], Sequence[int], Sequence[int]]
 
 
 def paths(points: Sequence[Point]) -> list[Path]:
-    """Split a polygon where a path returns to its first point; a lone last point is no path."""
+    """Split a polygon where a path returns to its first point; a single last point is dropped."""
     found: list[Path] = []
     path: Path = []
     for point in points:
@@ -40,7 +43,7 @@ def edges(outline: Sequence[Path]) -> list[Segment]:
 
 
 def scan(outline: Sequence[Path], top: int, bottom: int) -> Rows:
-    """The rows that fill a closed polygon given by its paths, as far as top..bottom show them."""
+    """The rows from top to bottom that fill a closed polygon, given by its paths."""
     heights = [y for path in outline for _, y in path]
     top, bottom = max(top, min(heights, default=0)), min(bottom, max(heights, default=0) - 1)
     height = max(0, bottom + 1 - top)
@@ -70,10 +73,10 @@ def scan(outline: Sequence[Path], top: int, bottom: int) -> Rows:
 
 
 def _walk(x: int, dx: int, dy: int, below: int, rows: int) -> list[int]:
-    """Where a side from x on crosses `rows` rows, the first of them `below` rows down."""
+    """Where a side that begins at x crosses `rows` rows, the first of them `below` rows down."""
     if dx == 0:
         return [x] * rows
-    # The quotient toward zero is the floor of a fall to the right, the ceiling of one to the left.
+    # Truncated toward zero: the floor where a side goes to the right, the ceiling to the left.
     start = x * dy + below * dx + (dy - 1 if dx < 0 else 0)
     return [numerator // dy for numerator in range(start, start + rows * dx, dx)]
 

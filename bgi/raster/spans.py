@@ -1,7 +1,8 @@
 """Many polygons at a time, by the rules of `bgi.raster.polygons`: their edges, and what fills them.
 
-Each side is walked down once; a crossing knows its polygon's row. A polygon that goes down once and
-up once has two crossings in every row, which need no sorting. Of all others they are sorted.
+The scan-line filling of many polygons in a few array operations. All crossings of all sides with
+all rows are computed at once. A polygon whose path goes down once and up once has two crossings in
+every row, which need no sorting; all other crossings are sorted by row and x.
 """
 
 from collections.abc import Iterator
@@ -10,14 +11,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.raster.lines import Ints, Segments, batches, toward_zero
+from bgi.raster.lines import Ints, Segments, grouped, toward_zero
 
-_ROWS = 1 << 14
-"""Rows worked on at a time: bounds the memory, whatever the polygons."""
+CHUNK = 1 << 14
+"""Rows of polygons worked on at a time: bounds the memory, whatever the polygons."""
 _FAR = 1 << 24
-"""Crossings beyond it are on no page, and may as well lie there."""
+"""No page is so wide: crossings beyond it are moved there."""
 _X_BITS = 26
-"""Bits that hold twice as much."""
+"""Bits for x + _FAR."""
 
 
 class Spans(NamedTuple):
@@ -38,9 +39,9 @@ class Edges(NamedTuple):
 
     sides: Segments
     real: NDArray[np.bool_]
-    """Which are there: the others lie between two paths, and have no length."""
+    """Which of them are lines: the others lie between two paths and have no length."""
     single: NDArray[np.bool_]
-    """Which polygons are one path."""
+    """Which polygons consist of one path."""
 
 
 def edges_many(points: NDArray[Any]) -> Edges:
@@ -49,7 +50,7 @@ def edges_many(points: NDArray[Any]) -> Edges:
     sides = x[:-1], y[:-1], x[1:], y[1:]
     back = (x == x[0]) & (y == y[0])
     real, single = np.ones(back[1:].shape, dtype=bool), np.ones(len(points), dtype=bool)
-    # Most are not back at the start before the end: they are one path each.
+    # Most polygons return to their first point only at the end: they are one path each.
     parted = np.flatnonzero(back[1:-1].any(axis=0) if len(x) > 2 else back[0])
     if len(parted):
         parts = _split(x[:, parted], y[:, parted])
@@ -86,10 +87,10 @@ def _split(x: Ints, y: Ints) -> Edges:
 
 
 def fill(polygons: Edges, top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
-    """Fill closed polygons, as far as rows top..bottom show them.
+    """Fill closed polygons, from row `top` to row `bottom`.
 
-    Their sides are int64, or object for coordinates beyond its range. Yields batches of consecutive
-    polygons: which ones, their spans.
+    Their sides are int64, or object for larger coordinates. Yields groups of consecutive polygons:
+    which ones, and their spans.
     """
     x1, y1, x2, y2 = polygons.sides
     up = y2 < y1
@@ -103,7 +104,7 @@ def fill(polygons: Edges, top: int, bottom: int) -> Iterator[tuple[slice, Spans]
     first = np.clip(highest, top, bottom + 1).astype(np.int64)
     rows = np.clip(lowest, top, bottom + 1).astype(np.int64) - first
     twice, often = np.where(simple, rows, 0), np.where(simple, 0, rows)
-    for part in batches(rows, _ROWS):
+    for part in grouped(rows, CHUNK):
         numbers = np.arange(part.start, part.stop)
         found = []
         if twice[part].any():
@@ -125,13 +126,13 @@ class _Walls(NamedTuple):
     """Whether the polygon's path goes up here."""
 
     def of(self, which: Ints | slice) -> "_Walls":
-        """Those of some of the polygons."""
+        """The sides of some of the polygons."""
         y, dy, x, dx = (array[:, which] for array in self[:4])
         return _Walls(y, dy, x, dx, self.up[:, which])
 
 
 def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
-    """The spans of polygons whose path goes down once and up once: between these two ways."""
+    """The spans of polygons whose path goes down once and up once: from the one to the other."""
     total, begin = int(rows.sum()), np.cumsum(rows) - rows
     row, x = _crossings(walls, first, rows, begin + total * walls.up)
     crossings = np.empty(2 * total)
@@ -169,10 +170,10 @@ def _in_order(found: list[Spans]) -> Spans:
 def _crossings(
     walls: _Walls, first: Ints, rows: Ints, number: Ints
 ) -> tuple[Ints, NDArray[np.float64]]:
-    """Where sides cross the rows of their polygons, side by side: the row and x.
+    """Where sides cross the rows of their polygons, side after side: the row and x.
 
-    `first` is each polygon's first row, `number` what that is called here. The crossing is the
-    floor of x.
+    `first` is each polygon's first row on the page, `number` the same row in the result, where the
+    rows of all polygons follow one another. The crossing is the floor of x.
     """
     start = np.clip(walls.y, first, first + rows).astype(np.int64, copy=False)
     end = np.clip(walls.y + walls.dy, first, first + rows).astype(np.int64, copy=False)
@@ -185,8 +186,9 @@ def _crossings(
         across = toward_zero(below * walls.dx.ravel().take(side), walls.dy.ravel().take(side))
         x = np.clip(across + walls.x.ravel().take(side), -_FAR, _FAR).astype(np.float64)
     else:
-        # The quotient toward zero is the floor to the right, the ceiling to the left. It is a
-        # multiple of 1 / dy; half of that more makes floats exact: coordinates are below 2**24.
+        # Truncated toward zero: the floor where a side goes to the right, the ceiling to the left.
+        # The quotient is a multiple of 1 / dy. Half of that is added, so that an error of floating
+        # point never crosses a whole number (coordinates are below 2**24).
         dy = np.maximum(walls.dy, 1).astype(np.float64)
         rounding = np.where(walls.dx < 0, 1 - 0.5 / dy, 0.5 / dy)
         x = (walls.dx / dy).ravel().take(side)

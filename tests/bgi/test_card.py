@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bgi.memory.card import LARGEST, PALETTE, PIXELS, Card, Frame
+from bgi.memory.card import AT_PALETTE, AT_PIXELS, MAX_SIDE, PALETTE_BYTES, Card, Frame
 from bgi.memory.card import _anonymous_file as anonymous_file
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="descriptors are POSIX")
@@ -79,7 +79,7 @@ def test_a_mode_must_fit() -> None:
     card.set_mode(100, 5, 2)
     with pytest.raises(ValueError, match=r"2 pages of 100 x 6 pixels need 1200 .* has 1000"):
         card.set_mode(100, 6, 2)
-    for width, height, pages in [(0, 1, 1), (1, -1, 1), (1, 1, 0), (LARGEST + 1, 1, 1)]:
+    for width, height, pages in [(0, 1, 1), (1, -1, 1), (1, 1, 0), (MAX_SIDE + 1, 1, 1)]:
         with pytest.raises(ValueError, match="no mode has"):
             card.set_mode(width, height, pages)
     assert (card.width, card.height, card.pages) == (100, 5, 2)
@@ -151,7 +151,7 @@ def test_the_palette_is_a_view(card: Card) -> None:
 @posix
 def test_the_other_side_sees_the_same_memory(card: Card) -> None:
     fd = os.dup(card.inherit[0])
-    other = Card.attach(f"fd:{fd}:{PIXELS + card.capacity}")
+    other = Card.attach(f"fd:{fd}:{AT_PIXELS + card.capacity}")
     card.page(2)[7] = 5
     card.visible = 2
     frame = other.frame()
@@ -173,20 +173,20 @@ def test_attach_refuses_what_is_no_handle(handle: str) -> None:
 @posix
 @pytest.mark.parametrize("damage", [b"BGICARD\1", b"BGICARD\0\2\0\0\0", bytes(12)])
 def test_attach_refuses_what_is_no_card(damage: bytes) -> None:
-    fd = anonymous_file(PIXELS)
+    fd = anonymous_file(AT_PIXELS)
     os.pwrite(fd, damage, 0)
     with pytest.raises(ValueError, match="is not a graphics card of version 1"):
-        Card.attach(f"fd:{fd}:{PIXELS}")
+        Card.attach(f"fd:{fd}:{AT_PIXELS}")
 
 
 @posix
 def test_attach_refuses_a_descriptor_that_is_closed_or_too_small() -> None:
-    fd = anonymous_file(PIXELS)
+    fd = anonymous_file(AT_PIXELS)
     with pytest.raises(ValueError, match="cannot map"):
-        Card.attach(f"fd:{fd}:{PIXELS + 1}")
+        Card.attach(f"fd:{fd}:{AT_PIXELS + 1}")
     os.close(fd)
     with pytest.raises(ValueError, match="cannot map"):
-        Card.attach(f"fd:{fd}:{PIXELS}")
+        Card.attach(f"fd:{fd}:{AT_PIXELS}")
 
 
 @posix
@@ -208,8 +208,8 @@ def check_frame(header: bytes) -> None:
     frame = card.frame()
     if frame is None:
         assert not (
-            0 < width <= LARGEST
-            and 0 < height <= LARGEST
+            0 < width <= MAX_SIDE
+            and 0 < height <= MAX_SIDE
             and visible < pages
             and pixel_bytes in (1, 4)
             and width * height * pages * pixel_bytes <= 5000
@@ -261,7 +261,7 @@ def test_where_there_is_no_memfd(monkeypatch: pytest.MonkeyPatch) -> None:
     card = Card()
     card.set_mode(640, 480, 4)
     assert os.fstat(card.inherit[0]).st_nlink == 0
-    assert os.fstat(card.inherit[0]).st_size == PIXELS + card.capacity
+    assert os.fstat(card.inherit[0]).st_size == AT_PIXELS + card.capacity
 
 
 @posix
@@ -283,4 +283,4 @@ def test_a_fork_shares_the_memory() -> None:
 
 
 def test_the_palette_ends_before_the_pixels() -> None:
-    assert PALETTE + 768 <= PIXELS
+    assert AT_PALETTE + PALETTE_BYTES <= AT_PIXELS

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
-from bgi.fonts.chr import MOST_BYTES, FontError, Operation, StrokedFont, encode, parse
+from bgi.fonts.chr import MAX_BYTES, FontError, Operation, StrokedFont, encode, parse
 from bgi.fonts.layout import SIZES, segments
 from bgi.fonts.table import STANDARD, FontTable
 from tests.cases import FONTS
@@ -53,7 +53,7 @@ def test_the_layout_of_a_file():
         font_of([], widths=[256]),
         font_of([], widths=[1, 2]),
         font_of([], name="LONGER"),
-        font_of([(True, 0, 0)] * MOST_BYTES),
+        font_of([(True, 0, 0)] * MAX_BYTES),
     ],
     ids=["x", "y", "width", "widths", "name", "size"],
 )
@@ -89,7 +89,7 @@ MALFORMED = {
     "strokes beyond": (changed(BLOCK + 5, 0, 9), "strokes outside"),
     "offset beyond": (changed(BLOCK + 16, 0, 9), "inside a character"),
     "no end": (GOOD[:-2] + b"\x80\x80", "inside a character"),
-    "huge": (GOOD + bytes(MOST_BYTES), "longer than"),
+    "huge": (GOOD + bytes(MAX_BYTES), "longer than"),
 }
 
 
@@ -259,7 +259,7 @@ def test_a_changed_file_is_read_again(here):
 def test_a_file_that_is_no_font(here):
     (here / "TRIP.CHR").write_bytes(b"something else")
     assert load_error(FontTable(), 1) == (grInvalidFont, "TRIP.CHR")
-    (here / "TRIP.CHR").write_bytes(GOOD + bytes(10 * MOST_BYTES))
+    (here / "TRIP.CHR").write_bytes(GOOD + bytes(10 * MAX_BYTES))
     assert load_error(FontTable(), 1) == (grInvalidFont, "TRIP.CHR")
 
 
