@@ -61,19 +61,19 @@ def window() -> Window:
 
 def processes() -> dict[str, int]:
     """The two processes, by what they are called in the table."""
-    return {"program": os.getpid(), "window": window()._process.pid}
+    return {"program": os.getpid(), "window": window().pid}
 
 
 def used(pid: int) -> float:
     """Seconds of processor time that a process has used."""
-    with open(f"/proc/{pid}/stat") as file:
+    with open(f"/proc/{pid}/stat", encoding="ascii") as file:
         fields = file.read().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / TICKS
 
 
 def resident(pid: int) -> float:
     """Megabytes of memory that a process uses."""
-    with open(f"/proc/{pid}/status") as file:
+    with open(f"/proc/{pid}/status", encoding="ascii") as file:
         return int(next(line for line in file if line.startswith("VmRSS")).split()[1]) / 1024
 
 
@@ -124,7 +124,7 @@ def answers() -> None:
     x11.XOpenDisplay.restype = ctypes.c_void_p
     display = ctypes.c_void_p(x11.XOpenDisplay(None))
     number = subprocess.run(
-        ["xdotool", "search", "--onlyvisible", "--pid", str(window()._process.pid)],
+        ["xdotool", "search", "--onlyvisible", "--pid", str(window().pid)],
         capture_output=True,
         timeout=10,
     ).stdout.split()[-1]

@@ -114,6 +114,11 @@ class Window:
         return self._keys.take()
 
     @property
+    def pid(self) -> int:
+        """The number of the window's process."""
+        return self._process.pid
+
+    @property
     def keys(self) -> KeyQueue:
         """The keys that wait."""
         self._check()
@@ -251,4 +256,6 @@ def _start(card: Card) -> subprocess.Popen[bytes]:
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
     except OSError as error:
-        raise BGIError(f"no window: its process could not be started: {error}") from None
+        # Windows does not say which file it has not found.
+        reason = f"{sys.executable}: {error.strerror}"
+        raise BGIError(f"no window: its process could not be started: {reason}") from None
