@@ -1,19 +1,33 @@
 """What the tests of the window share: processes to wait for, and how a window can be lost."""
 
+import ctypes
 import os
 import signal
 import subprocess
+import sys
 import time
 from collections.abc import Callable
+
+import pytest
 
 from bgi.errors import BGIError, WindowClosed
 
 PATIENCE = 30  # seconds until a test gives up; nothing is measured by it
+SYNCHRONIZE = 0x100000  # the right to wait for a process
 
-LOSSES = [
-    (signal.SIGTERM, WindowClosed, "the window was closed"),  # as polite as the close button
-    (signal.SIGKILL, BGIError, "the window process ended unexpectedly (exit status -9)"),
-]
+posix = pytest.mark.skipif(sys.platform == "win32", reason="uses POSIX signals or fork")
+
+_UNEXPECTED = "the window process ended unexpectedly (exit status {})"
+LOSSES: list[tuple[signal.Signals, type[BGIError], str]]
+if sys.platform == "win32":  # there any signal just ends a process, with its number for a status
+    KILL = signal.SIGTERM
+    LOSSES = [(KILL, BGIError, _UNEXPECTED.format(15))]
+else:
+    KILL = signal.SIGKILL
+    LOSSES = [
+        (signal.SIGTERM, WindowClosed, "the window was closed"),  # as polite as the close button
+        (KILL, BGIError, _UNEXPECTED.format(-9)),
+    ]
 
 
 def wait_until(done: Callable[[], bool]) -> None:
@@ -26,13 +40,26 @@ def wait_until(done: Callable[[], bool]) -> None:
 
 def gone(pid: int) -> bool:
     """Whether a process has ended; one that nobody has buried yet has."""
+    if sys.platform == "win32":
+        return _gone_on_windows(pid)
     state = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True)
     return state.stdout.strip()[:1] in ("", "Z")
 
 
+def _gone_on_windows(pid: int) -> bool:
+    kernel = ctypes.WinDLL("kernel32")
+    kernel.OpenProcess.restype = ctypes.c_void_p
+    process = ctypes.c_void_p(kernel.OpenProcess(SYNCHRONIZE, False, pid))
+    if not process:
+        return True
+    ended: bool = kernel.WaitForSingleObject(process, 0) == 0
+    kernel.CloseHandle(process)
+    return ended
+
+
 def memory_of(pid: int) -> int:
     """The memory that a process really uses, in kilobytes (Linux only)."""
-    with open(f"/proc/{pid}/status") as status:
+    with open(f"/proc/{pid}/status", encoding="ascii") as status:
         return int(next(line for line in status if line.startswith("VmRSS")).split()[1])
 
 

@@ -146,14 +146,16 @@ def test_surfaces_meets_bgi_in_one_file():
 def test_raster_is_pure():
     for name, path in MODULES:
         if name.startswith("bgi.raster"):
-            assert not re.search(r"pygame|bgi\.(memory|settings|graphics)", path.read_text()), name
+            assert not re.search(
+                r"pygame|bgi\.(memory|settings|graphics)", path.read_text("utf-8")
+            ), name
 
 
 def test_only_the_page_sets_pixels():
     """No other drawing module writes into pixel memory."""
     for name, path in MODULES:
         if name.startswith("bgi.") and name != "bgi.memory.page":
-            text = path.read_text()
+            text = path.read_text("utf-8")
             assert not re.search(r"\.(flat|array)\[.*\] *[\^|&]?=[^=]", text), name
             assert "pygame.draw" not in text, name
 
@@ -174,4 +176,4 @@ def test_a_name_of_a_module_or_class_stands_for_one_thing():
 
 def test_no_module_is_long():
     for name, path in MODULES:
-        assert len(path.read_text().splitlines()) <= 450 or name == "bgi", name
+        assert len(path.read_text("utf-8").splitlines()) <= 450 or name == "bgi", name

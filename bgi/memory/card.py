@@ -101,10 +101,7 @@ class Card:
         if size < AT_PIXELS:
             raise ValueError(f"{handle!r} is too small to be a graphics card")
         card = cls.__new__(cls)
-        if sys.platform == "win32":
-            card._take(mmap.mmap(-1, size, tagname=name), handle, None)
-        else:
-            card._take(_map_descriptor(name, size), handle, int(name))
+        card._take(_mapped(name, size), handle, None if sys.platform == "win32" else int(name))
         magic, version = _HEADER.unpack_from(card._map)[:2]
         if (magic, version) != (MAGIC, VERSION):
             card.close()
@@ -271,11 +268,14 @@ def _anonymous_file(size: int) -> int:
         return os.dup(file.fileno())
 
 
-def _map_descriptor(number: str, size: int) -> mmap.mmap:
+def _mapped(name: str, size: int) -> mmap.mmap:
+    """The memory with that name (Windows), or behind that descriptor."""
     try:
-        return mmap.mmap(int(number), size)
+        if sys.platform == "win32":
+            return mmap.mmap(-1, size, tagname=name)
+        return mmap.mmap(int(name), size)
     except (OSError, ValueError) as error:
-        raise ValueError(f"cannot map descriptor {number!r} as a graphics card: {error}") from None
+        raise ValueError(f"cannot map {name!r} as a graphics card: {error}") from None
 
 
 def _close_all(descriptors: tuple[int, ...]) -> None:

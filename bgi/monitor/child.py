@@ -180,9 +180,12 @@ class Child:
         self._over = True
 
     def _send(self, word: str, *arguments: object) -> None:
-        # A program that is stopped does not read; what it misses must not stop the window, too.
-        with contextlib.suppress(BlockingIOError):
+        try:
             os.write(self._output, encode(word, *arguments))
+        except BlockingIOError:
+            pass  # a program that is stopped does not read; the window must not stop, too
+        except OSError:
+            self._over = True  # the program is gone: a broken pipe, on Windows an invalid argument
 
 
 def _rate() -> float:
@@ -220,8 +223,7 @@ def main() -> None:
     signal.signal(signal.SIGTERM, lambda number, frame: inbox.put(("close", "")))
     os.write(output, encode("ready"))
     threading.Thread(target=_listen, args=[inbox], daemon=True).start()
-    with contextlib.suppress(BrokenPipeError):
-        child.run()
+    child.run()
     for thread in threading.enumerate():  # a recording that is being written
         if not thread.daemon and thread is not threading.main_thread():
             thread.join(LINGER)

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from bgi.errors import BGIError, WindowClosed
-from tests.processes import LOSSES, PATIENCE, gone, shared_memory, wait_until
+from tests.processes import LOSSES, PATIENCE, gone, posix, shared_memory, wait_until
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="uses POSIX signals")
+KILLED = 1 if sys.platform == "win32" else -signal.SIGKILL  # the exit status
 
 HOME = Path(__file__).resolve().parents[2]
 
@@ -28,14 +28,14 @@ class Running:
     """A program in a process group of its own, and its window."""
 
     def __init__(self, source: str, script: Path, cwd: Path) -> None:
-        script.write_text(PRELUDE.format(home=str(HOME)) + source)
+        script.write_text(PRELUDE.format(home=str(HOME)) + source, "utf-8")
         self.process = subprocess.Popen(
             [sys.executable, str(script)],
             cwd=cwd,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
-            process_group=0,
+            process_group=None if sys.platform == "win32" else 0,
         )
         assert self.process.stdout
         self.window = int(self.process.stdout.readline())
@@ -46,6 +46,14 @@ class Running:
         _, self.stderr = self.process.communicate(timeout=PATIENCE)
         wait_until(lambda: gone(self.window))
         return self.process.returncode
+
+    def has_said(self, kind: type[BGIError], text: str) -> None:
+        """Check what the program wrote when it lost its window."""
+        if kind is WindowClosed:  # nothing to look into
+            assert self.stderr == f"bgi: {text}\n"
+        else:
+            assert self.stderr.count("Traceback") == 1
+            assert self.stderr.endswith(f"bgi.errors.{kind.__name__}: {text}\n")
 
 
 Start = Callable[[str], Running]
@@ -58,7 +66,7 @@ from bgi.monitor import Window
 card = Card()
 card.set_mode(320, 200, 2)
 window = Window(card, "a test")
-print(window._process.pid, flush=True)
+print(window.pid, flush=True)
 """
 
 
@@ -97,6 +105,7 @@ def test_a_program_ends(program: Start, source: str, status: int, last: str) -> 
         assert running.stderr == ""
 
 
+@posix
 @pytest.mark.parametrize("call", ["read_key()", "sleep(1e9)"])
 def test_ctrl_c_is_for_the_program(program: Start, call: str) -> None:
     running = program(
@@ -125,10 +134,11 @@ window.{call}
 def test_kill_9_of_the_program(program: Start) -> None:
     running = program("window.read_key()")
     running.process.kill()
-    assert running.end() == -signal.SIGKILL
+    assert running.end() == KILLED
     assert running.stderr == ""
 
 
+@posix
 def test_kill_9_of_the_program_while_a_fork_of_it_lives(program: Start) -> None:
     running = program(
         """
@@ -154,17 +164,19 @@ def test_kill_9_of_the_program_again_and_again(program: Start) -> None:
     for _ in range(5):
         running = program("while True: card.page(0)[5] ^= 1; window.show()")
         running.process.kill()
-        assert running.end() == -signal.SIGKILL
+        assert running.end() == KILLED
 
 
 @pytest.mark.parametrize("busy", ["pass", "card.page(0)[5] ^= 1"])
 def test_a_busy_program_does_not_keep_its_window_from_closing(program: Start, busy: str) -> None:
     running = program(f"while window._error is None: {busy}\nwindow.show()")
-    os.kill(running.window, signal.SIGTERM)
+    how, kind, text = LOSSES[0]
+    os.kill(running.window, how)
     assert running.end() == 1
-    assert running.stderr == "bgi: the window was closed\n"
+    running.has_said(kind, text)
 
 
+@posix
 def test_a_stopped_program_does_not_keep_its_window_from_closing(program: Start) -> None:
     running = program("window.read_key()")
     os.kill(running.process.pid, signal.SIGSTOP)
@@ -203,6 +215,7 @@ bgi.closegraph()
     assert running.stderr == ""
 
 
+@posix
 def test_a_fork_leaves_the_window_alone(program: Start) -> None:
     running = program(
         """
@@ -234,11 +247,7 @@ def test_whoever_waits_is_woken(
     running = program(f"window.{call}")
     os.kill(running.window, how)
     assert running.end() == 1
-    if kind is WindowClosed:  # nothing to look into
-        assert running.stderr == f"bgi: {text}\n"
-    else:
-        assert running.stderr.count("Traceback") == 1
-        assert running.stderr.endswith(f"bgi.errors.{kind.__name__}: {text}\n")
+    running.has_said(kind, text)
 
 
 def test_other_errors_are_reported_as_ever(program: Start) -> None:

@@ -75,12 +75,13 @@ def test_another_monitor_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_without_a_display_one_line_says_so(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    card = Card()
     monkeypatch.setattr("sys.platform", "linux")
     for name in ("BGI_MONITOR", "DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
         monkeypatch.delenv(name, raising=False)
     bgi.monitor._say_that_there_is_no_window.cache_clear()
-    assert isinstance(choose(Card()), Headless)
-    assert isinstance(choose(Card()), Headless)
+    assert isinstance(choose(card), Headless)
+    assert isinstance(choose(card), Headless)
     out, err = capsys.readouterr()
     assert (out, err.count("\n")) == ("", 1)
     for word in ("no display", "without a window", "DISPLAY", "ssh -X", "BGI_MONITOR=none"):

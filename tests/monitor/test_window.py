@@ -22,9 +22,7 @@ from bgi.monitor import Headless, Monitor, Window, choose
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.protocol import decode, encode, receive
 from bgi.monitor.speaker import LOUDNESS, RATE
-from tests.processes import LOSSES, gone, memory_of, shared_memory, wait_until
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="uses POSIX signals")
+from tests.processes import KILL, LOSSES, gone, memory_of, posix, shared_memory, wait_until
 
 
 @pytest.fixture(autouse=True)
@@ -52,7 +50,7 @@ def window(card: Card, errors: list[BGIError]) -> Iterator[Window]:
     window = Window(card, "a test", errors.append)
     yield window
     window.close()
-    assert gone(window._process.pid)
+    assert gone(window.pid)
 
 
 # The protocol
@@ -133,7 +131,7 @@ def test_sleep_waits(window: Window) -> None:
 
 
 def lose(window: Window, how: signal.Signals) -> None:
-    os.kill(window._process.pid, how)
+    os.kill(window.pid, how)
 
 
 @pytest.mark.parametrize(("how", "kind", "text"), LOSSES)
@@ -158,9 +156,10 @@ def test_after_the_window_every_call_raises(
     assert [str(error) for error in errors] == [text]
 
 
+@posix
 def test_show_is_woken_when_the_window_dies(window: Window) -> None:
-    os.kill(window._process.pid, signal.SIGSTOP)
-    killer = subprocess.Popen(["sh", "-c", f"sleep 0.2; kill -9 {window._process.pid}"])
+    os.kill(window.pid, signal.SIGSTOP)
+    killer = subprocess.Popen(["sh", "-c", f"sleep 0.2; kill -9 {window.pid}"])
     with pytest.raises(BGIError, match="ended unexpectedly"):
         window.show()
     killer.wait()
@@ -174,24 +173,25 @@ def test_on_lost_may_close(card: Card) -> None:
         lost.append(error)
 
     fragile = Window(card, on_lost=close)
-    lose(fragile, signal.SIGTERM)
+    lose(fragile, KILL)
     wait_until(lambda: bool(lost))
-    assert gone(fragile._process.pid)
+    assert gone(fragile.pid)
 
 
 def test_the_program_may_close_the_window(window: Window, errors: list[BGIError]) -> None:
     window.close()
-    assert gone(window._process.pid)
+    assert gone(window.pid)
     with pytest.raises(BGIError, match="closed by the program"):
         window.show()
     window.close()
     assert errors == []
 
 
+@posix
 def test_a_hanging_window_is_killed(window: Window) -> None:
-    os.kill(window._process.pid, signal.SIGSTOP)
+    os.kill(window.pid, signal.SIGSTOP)
     window.close()
-    assert gone(window._process.pid)
+    assert gone(window.pid)
 
 
 def test_files_named_like_modules_do_not_disturb_the_window(
@@ -220,14 +220,14 @@ def test_ten_windows_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
         thread.join()
     for window in windows:
         window.show()
-    assert len({window._process.pid for window in windows}) == 10
-    os.kill(windows[3]._process.pid, signal.SIGKILL)
-    wait_until(lambda: gone(windows[3]._process.pid))
+    assert len({window.pid for window in windows}) == 10
+    lose(windows[3], KILL)
+    wait_until(lambda: gone(windows[3].pid))
     for window in windows[:3] + windows[4:]:
         window.show()
     for window in windows:
         window.close()
-        assert gone(window._process.pid)
+        assert gone(window.pid)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
@@ -244,7 +244,7 @@ def test_two_thousand_flips_leave_nothing_behind(
             window.show()
 
     def state() -> tuple[int, int, int, int]:
-        pids = os.getpid(), window._process.pid
+        pids = os.getpid(), window.pid
         files = [len(os.listdir(f"/proc/{pid}/fd")) for pid in pids]
         return *files, *map(memory_of, pids)
 
@@ -262,12 +262,12 @@ def test_two_thousand_flips_leave_nothing_behind(
 def test_windows_killed_again_and_again(card: Card) -> None:
     for _ in range(8):
         window = Window(card)
-        lose(window, signal.SIGKILL)
+        lose(window, KILL)
         with pytest.raises(BGIError, match="ended unexpectedly"):
             while True:
                 window.show()
         window.close()
-        assert gone(window._process.pid)
+        assert gone(window.pid)
 
 
 # Sound

@@ -81,7 +81,7 @@ def tool(*command: str) -> bytes:
 
 def number_of(window: Window) -> str:
     """X's number of the window; full screen it is another one."""
-    search = ["xdotool", "search", "--onlyvisible", "--pid", str(window._process.pid)]
+    search = ["xdotool", "search", "--onlyvisible", "--pid", str(window.pid)]
     found: list[str] = []
 
     def find() -> bool:
@@ -397,4 +397,4 @@ def test_the_close_button(seen: Window, xvfb: str) -> None:
     press_the_close_button(xvfb, int(number_of(seen)))
     with pytest.raises(WindowClosed, match=r"^the window was closed$"):
         seen.read_key()
-    wait_until(lambda: gone(seen._process.pid))
+    wait_until(lambda: gone(seen.pid))
