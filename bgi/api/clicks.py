@@ -1,4 +1,7 @@
-"""The mouse over the window, by WinBGIm's calls. What INT 33h could do is in `bgi.mouse`."""
+"""The mouse over the window, by WinBGIm's calls. What INT 33h could do is in `bgi.mouse`.
+
+Source: WinBGIm.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +21,12 @@ __all__ = [
 
 
 def mousex() -> int:
-    """Return the mouse's x in pixels of the screen, however large the window. Source: WinBGIm."""
+    """Return the mouse's x in pixels of the screen, however large the window."""
     return current.screen.monitor.mouse.x
 
 
 def mousey() -> int:
-    """Return the mouse's y in pixels of the screen, however large the window. Source: WinBGIm."""
+    """Return the mouse's y in pixels of the screen, however large the window."""
     return current.screen.monitor.mouse.y
 
 
@@ -34,7 +37,7 @@ def ismouseclick(kind: Number) -> bool:
         kind: WM_MOUSEMOVE, WM_LBUTTONDOWN, WM_LBUTTONUP, WM_LBUTTONDBLCLK, or the same with R for
             the right or M for the middle button. The second click of a double click is a DBLCLK.
 
-    ValueError for another kind. Source: WinBGIm.
+    ValueError for another kind.
     """
     return current.screen.monitor.mouse.has(_kind(kind))
 
@@ -46,7 +49,7 @@ def getmouseclick(kind: Number) -> tuple[int, int]:
         kind: as for ismouseclick().
 
     (NO_CLICK, NO_CLICK), which is (-1, -1), if there is none. Of several that have not been taken
-    only the latest is kept, unless setmousequeuestatus() says otherwise. Source: WinBGIm.
+    only the latest is kept, unless setmousequeuestatus() says otherwise.
     """
     return current.screen.monitor.mouse.take(_kind(kind)) or (NO_CLICK, NO_CLICK)
 
@@ -56,8 +59,6 @@ def clearmouseclick(kind: Number) -> None:
 
     Args:
         kind: as for ismouseclick().
-
-    Source: WinBGIm.
     """
     current.screen.monitor.mouse.take(_kind(kind))
 
@@ -68,8 +69,6 @@ def setmousequeuestatus(kind: Number, status: bool = True) -> None:
     Args:
         kind: as for ismouseclick().
         status: True for all of them (the last thousand), False for the latest.
-
-    Source: WinBGIm.
     """
     current.screen.monitor.mouse.keep_all(_kind(kind), bool(status))
 
@@ -79,10 +78,10 @@ def registermousehandler(kind: Number, handler: Callable[[int, int], object] | N
 
     Args:
         kind: as for ismouseclick().
-        handler: called with x and y, in a thread of its own; it may draw, but not for long, and it
-            stops nothing: the program goes on meanwhile. None: no function any more.
+        handler: called with x and y, in a thread of its own while the program goes on; it may draw,
+            but should not take long. None: no function any more.
 
-    An error in the function is printed, and the program goes on. Source: WinBGIm.
+    An error in the function is printed, and the program goes on.
     """
     message = _kind(kind)
     handlers = current.screen.monitor.mouse.handlers

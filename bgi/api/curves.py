@@ -5,6 +5,8 @@ brought into it. The line style is ignored; the width is honoured, the write mod
 curves. circle(), arc() and pieslice() take one radius, in pixels across, and flatten the curve by
 the mode's aspect ratio; the others take both radii as they are. A radius of 0 is drawn like 1;
 negative ones, and those above 6553, draw nothing. Arrays draw many.
+
+Source: graphics.h, unless a function says otherwise.
 """
 
 from __future__ import annotations
@@ -32,7 +34,6 @@ def circle(x: Numbers, y: Numbers, radius: Numbers, color: Numbers | None = None
         color: this circle's colour; the drawing colour if None.
 
     Ignores the line style; honours the width, and the write mode only when thick. Arrays draw many.
-    Source: graphics.h.
     """
     current.screen.circle(x, y, radius, color)
 
@@ -54,7 +55,7 @@ def arc(
         color: this arc's colour; the drawing colour if None.
 
     0 to 360 is the full circle, equal angles draw nothing (thick: the full circle). getarccoords()
-    tells its ends. Source: graphics.h.
+    returns its ends.
     """
     current.screen.arc(x, y, stangle, endangle, radius, color)
 
@@ -76,7 +77,7 @@ def ellipse(
         xradius, yradius: in pixels, not changed by the aspect ratio.
         color: this curve's colour; the drawing colour if None.
 
-    getarccoords() tells its ends. Source: graphics.h.
+    getarccoords() returns its ends.
     """
     current.screen.ellipse(x, y, stangle, endangle, xradius, yradius, color)
 
@@ -88,7 +89,7 @@ def fillellipse(x: Numbers, y: Numbers, xradius: Numbers, yradius: Numbers) -> N
         x, y: the centre, relative to the viewport.
         xradius, yradius: in pixels, not changed by the aspect ratio.
 
-    EMPTY_FILL erases the inside to index 0. Source: graphics.h.
+    EMPTY_FILL erases the inside to index 0.
     """
     current.screen.fillellipse(x, y, xradius, yradius)
 
@@ -102,7 +103,7 @@ def pieslice(x: Numbers, y: Numbers, stangle: Numbers, endangle: Numbers, radius
         radius: in pixels across; the height follows the aspect ratio.
 
     The arc is drawn by lines of the line style, so that a dotted style leaves it out; equal angles
-    leave a dot. EMPTY_FILL fills nothing. getarccoords() tells the ends. Source: graphics.h.
+    leave a dot. EMPTY_FILL fills nothing. getarccoords() returns its ends.
     """
     current.screen.pieslice(x, y, stangle, endangle, radius)
 
@@ -122,7 +123,7 @@ def sector(
         stangle, endangle: degrees, as for pieslice().
         xradius, yradius: in pixels, not changed by the aspect ratio.
 
-    Otherwise as pieslice(). Source: graphics.h.
+    Otherwise as pieslice().
     """
     current.screen.sector(x, y, stangle, endangle, xradius, yradius)
 
@@ -130,17 +131,13 @@ def sector(
 def getarccoords() -> arccoordstype:
     """Return centre, start and end of the last arc, ellipse, pie slice or sector.
 
-    Relative to the viewport it was drawn in; all 0 at first. Circles do not count. Source:
-    graphics.h.
+    Relative to the viewport it was drawn in; all 0 at first. Circles do not count.
     """
     return current.screen.getarccoords()
 
 
 def getaspectratio() -> tuple[int, int]:
-    """Return the aspect ratio of circles, (xasp, yasp): 10000, 10000 where pixels are square.
-
-    Source: graphics.h.
-    """
+    """Return the aspect ratio of circles, (xasp, yasp): 10000, 10000 where pixels are square."""
     return current.screen.getaspectratio()
 
 
@@ -151,6 +148,6 @@ def setaspectratio(xasp: Number, yasp: Number) -> None:
         xasp, yasp: 0 or more, and more than 0.
 
     graphresult() says -11, and nothing changes, for anything else. graphdefaults() leaves it, a
-    new mode resets it. Source: graphics.h.
+    new mode resets it.
     """
     current.screen.setaspectratio(xasp, yasp)

@@ -2,7 +2,10 @@
 
 Coordinates are relative to the viewport, y grows downwards, and any int is legal: what falls
 outside is cut off. A float is truncated toward zero. Wherever numbers go, arrays (or lists) of
-numbers go too: they broadcast, and mean the same call once for every element, in order.
+numbers go too: they broadcast as numpy's do, and mean the same call once for every element, in
+order.
+
+Source: graphics.h, unless a function says otherwise.
 """
 
 from __future__ import annotations
@@ -33,7 +36,7 @@ def putpixel(x: Numbers, y: Numbers, color: Numbers) -> None:
         color: the palette index, cut to the mode's bits.
 
     Arrays set many pixels; where two coincide the later one stays. Ignores colour, write mode and
-    current position. Source: graphics.h.
+    current position.
     """
     current.screen.putpixel(x, y, color)
 
@@ -48,7 +51,7 @@ def getpixel(x: Numbers, y: Numbers) -> int | NDArray[np.uint8]:
     Args:
         x, y: which, relative to the viewport, inside it or not; 0 off the screen.
 
-    Arrays return an array of their shape. Source: graphics.h.
+    Arrays return an array of their shape.
     """
     return current.screen.getpixel(x, y)
 
@@ -62,7 +65,6 @@ def line(x1: Numbers, y1: Numbers, x2: Numbers, y2: Numbers, color: Numbers | No
 
     In the line style, width and write mode; leaves the current position. Arrays draw many lines.
     Pixels: always drawn downwards, clipped lines redrawn from the clipped end, as the driver did.
-    Source: graphics.h.
     """
     current.screen.line(x1, y1, x2, y2, color)
 
@@ -70,7 +72,7 @@ def line(x1: Numbers, y1: Numbers, x2: Numbers, y2: Numbers, color: Numbers | No
 def lineto(x: Number, y: Number) -> None:
     """Draw a line from the current position to x, y, which becomes the current position.
 
-    As line(), but a level line begins its pattern at x, y. Source: graphics.h.
+    As line(), but a level line begins its pattern at x, y.
     """
     current.screen.lineto(x, y)
 
@@ -78,7 +80,7 @@ def lineto(x: Number, y: Number) -> None:
 def linerel(dx: Number, dy: Number) -> None:
     """Draw a line from the current position by dx, dy, where the current position goes.
 
-    As lineto(). Source: graphics.h.
+    As lineto().
     """
     current.screen.linerel(dx, dy)
 
@@ -93,7 +95,7 @@ def rectangle(
         color: this box's colour; the drawing colour if None.
 
     Four lines, top, right, bottom, left: in XOR mode the corners, hit twice, stay as they were.
-    Arrays draw many boxes. Source: graphics.h.
+    Arrays draw many boxes.
     """
     current.screen.rectangle(left, top, right, bottom, color)
 
@@ -107,7 +109,6 @@ def drawpoly(points: Numbers, flat: Numbers | None = None, color: Numbers | None
         color: their colour, or n colours; the drawing colour if None.
 
     Back at its first point the figure ends, and the next point begins another. Draws as line().
-    Source: graphics.h.
     """
     current.screen.drawpoly(points, flat, color)
 
@@ -120,7 +121,7 @@ def setlinestyle(style: Number, pattern: Number, width: Number) -> None:
         pattern: sixteen bits for USERBIT_LINE, the lowest drawn first; 1 draws, 0 leaves a gap.
         width: NORM_WIDTH (1) or THICK_WIDTH (3).
 
-    graphresult() says -11, and nothing changes, for any other style or width. Source: graphics.h.
+    graphresult() says -11, and nothing changes, for any other style or width.
     """
     current.screen.setlinestyle(style, pattern, width)
 
@@ -140,6 +141,6 @@ def setwritemode(mode: Number) -> None:
         mode: COPY_PUT or XOR_PUT; of any other number only the lowest bit counts.
 
     XORed twice, a line is gone. Works on lines, rectangles, polygons' outlines and thick curves;
-    never on pixels, thin curves, fills and text. Source: graphics.h.
+    never on pixels, thin curves, fills and text.
     """
     current.screen.setwritemode(mode)

@@ -2,6 +2,8 @@
 
 Patterns are opaque (their gaps become index 0) and anchored to the screen, so that neighbouring
 fills join without a seam. Fills ignore the write mode.
+
+Source: graphics.h, unless a function says otherwise.
 """
 
 from __future__ import annotations
@@ -27,13 +29,13 @@ def setfillstyle(pattern: Number, color: Number) -> None:
         pattern: EMPTY_FILL (0), SOLID_FILL (1) ... CLOSE_DOT_FILL (11), or USER_FILL (12).
         color: 0..getmaxcolor().
 
-    graphresult() says -11, and nothing changes, for any other number. Source: graphics.h.
+    graphresult() says -11, and nothing changes, for any other number.
     """
     current.screen.setfillstyle(pattern, color)
 
 
 def getfillsettings() -> fillsettingstype:
-    """Return fill pattern (12 after setfillpattern) and colour. Source: graphics.h."""
+    """Return fill pattern (12 after setfillpattern) and colour."""
     return current.screen.getfillsettings()
 
 
@@ -45,16 +47,13 @@ def setfillpattern(pattern: bytes | Sequence[Number], color: Number) -> None:
         color: 0..getmaxcolor().
 
     graphresult() says -11, and nothing changes, for an unknown colour; ValueError unless there are
-    eight bytes. Source: graphics.h.
+    eight bytes.
     """
     current.screen.setfillpattern(pattern, color)
 
 
 def getfillpattern() -> bytes:
-    """Return the eight bytes last given to setfillpattern(), at first all FF.
-
-    Source: graphics.h.
-    """
+    """Return the eight bytes last given to setfillpattern(), at first all FF."""
     return current.screen.getfillpattern()
 
 
@@ -67,8 +66,7 @@ def bar(
         left, top, right, bottom: two opposite corners, relative to the viewport, both filled.
         fill: this box's fill colour; that of setfillstyle() if None.
 
-    EMPTY_FILL erases to index 0. Leaves the current position. Arrays fill many boxes. Source:
-    graphics.h.
+    EMPTY_FILL erases to index 0. Leaves the current position. Arrays fill many boxes.
     """
     current.screen.bar(left, top, right, bottom, fill)
 
@@ -88,7 +86,7 @@ def bar3d(
         depth: how far the back lies to the right, in pixels, and 3/4 of that up; 0 draws no side.
         topflag: 1 to draw the top, 0 to leave room for a bar on top of it.
 
-    Outlined as by line(); side and top are not filled. Arrays draw many. Source: graphics.h.
+    Outlined as by line(); side and top are not filled. Arrays draw many.
     """
     current.screen.bar3d(left, top, right, bottom, depth, topflag)
 
@@ -110,7 +108,7 @@ def fillpoly(
     Even-odd rule; back at its first point the figure ends, and the next point begins another.
     Rows are filled from the topmost to the one above the lowest, both ends included, so that a
     pixel may stick out of the outline, as in the original. EMPTY_FILL fills nothing. The outline
-    is drawn as by line(). Source: graphics.h.
+    is drawn as by line().
     """
     current.screen.fillpoly(points, flat, fill, color)
 
@@ -124,6 +122,6 @@ def floodfill(x: Numbers, y: Numbers, border: Numbers) -> None:
 
     Spreads up, down, left and right, within the viewport (with clipping off, the screen). What
     looks filled already stops it too, as in the original, but its shape may be anything: there is
-    no limit of memory. Source: graphics.h.
+    no limit of memory.
     """
     current.screen.floodfill(x, y, border)

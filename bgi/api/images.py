@@ -1,4 +1,7 @@
-"""Pieces of the screen, in memory and on disk."""
+"""Pieces of the screen, in memory and on disk.
+
+Source: graphics.h, unless a function says otherwise.
+"""
 
 from __future__ import annotations
 
@@ -22,8 +25,7 @@ def imagesize(left: Number, top: Number, right: Number, bottom: Number) -> int:
     Args:
         left, top, right, bottom: its corners, all inside.
 
-    From 64K on it returns 65535 and graphresult() says -11; getimage() works all the same. Source:
-    graphics.h.
+    From 64K on it returns 65535 and graphresult() says -11; getimage() works all the same.
     """
     return current.screen.imagesize(left, top, right, bottom)
 
@@ -43,8 +45,7 @@ def getimage(
         buffer: as in C, a writable buffer of imagesize() bytes that is filled as well.
 
     The image has .width, .height and .array, indices of shape (height, width); bytes(image) is
-    Borland's layout, bgi.Image.frombytes() reads it. ValueError for a short buffer. Source:
-    graphics.h.
+    Borland's layout, bgi.Image.frombytes() reads it. ValueError for a short buffer.
     """
     return current.screen.getimage(left, top, right, bottom, buffer)
 
@@ -62,7 +63,7 @@ def putimage(
 
     Not clipped by the viewport, only at the edges of the screen (chosen: the original is said to
     drop images that stick out sideways). graphresult() says -11 for another op; ValueError for too
-    few bytes. Source: graphics.h.
+    few bytes.
     """
     current.screen.putimage(left, top, image, op)
 
@@ -82,7 +83,7 @@ def readimagefile(
         right, bottom: its lower right corner; None keeps the picture's own width or height.
 
     In a window in its own colours, elsewhere in the nearest of the palette. Cut at the edges of the
-    screen. OSError if it cannot be read, ValueError if it is no picture. Source: WinBGIm.
+    screen. OSError if it cannot be read, ValueError if it is not a picture. Source: WinBGIm.
     """
     current.screen.readimagefile(filename, left, top, right, bottom)
 

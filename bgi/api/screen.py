@@ -1,4 +1,7 @@
-"""The screen: its mode, size, viewport, pages, colours and palette."""
+"""The screen: its mode, size, viewport, pages, colours and palette.
+
+Source: graphics.h, unless a function says otherwise.
+"""
 
 from __future__ import annotations
 
@@ -22,18 +25,12 @@ __all__ = [
 
 
 def getmaxx() -> int:
-    """Return the largest x of the screen, 639 in VGAHI, whatever the viewport.
-
-    Source: graphics.h.
-    """
+    """Return the largest x of the screen, 639 in VGAHI, whatever the viewport."""
     return current.screen.getmaxx()
 
 
 def getmaxy() -> int:
-    """Return the largest y of the screen, 479 in VGAHI, whatever the viewport.
-
-    Source: graphics.h.
-    """
+    """Return the largest y of the screen, 479 in VGAHI, whatever the viewport."""
     return current.screen.getmaxy()
 
 
@@ -48,7 +45,7 @@ def getmaxcolor() -> int:
 def cleardevice() -> None:
     """Clear the active page to the background colour (index 0), whatever the viewport.
 
-    The current position goes to 0, 0; viewport and settings stay. Source: graphics.h.
+    The current position goes to 0, 0; viewport and settings stay.
     """
     current.screen.cleardevice()
 
@@ -61,50 +58,41 @@ def setviewport(left: Number, top: Number, right: Number, bottom: Number, clip: 
         clip: 1 to cut drawing off at its edges, 0 to cut only at the edges of the screen.
 
     The current position goes to 0, 0. graphresult() says -11, and nothing changes, unless
-    0 <= left <= right <= getmaxx() and likewise for top and bottom. Source: graphics.h.
+    0 <= left <= right <= getmaxx() and likewise for top and bottom.
     """
     current.screen.setviewport(left, top, right, bottom, clip)
 
 
 def getviewsettings() -> viewporttype:
-    """Return the viewport: its corners in screen coordinates, and whether clipping is on.
-
-    Source: graphics.h.
-    """
+    """Return the viewport: its corners in screen coordinates, and whether clipping is on."""
     return current.screen.getviewsettings()
 
 
 def clearviewport() -> None:
     """Clear the viewport to the background colour (index 0), even with clipping off.
 
-    The current position goes to 0, 0. Source: graphics.h.
+    The current position goes to 0, 0.
     """
     current.screen.clearviewport()
 
 
 def moveto(x: Number, y: Number) -> None:
-    """Move the current position to x, y, which may lie anywhere; draws nothing.
-
-    Source: graphics.h.
-    """
+    """Move the current position to x, y, which may lie anywhere; draws nothing."""
     current.screen.moveto(x, y)
 
 
 def moverel(dx: Number, dy: Number) -> None:
-    """Move the current position by dx to the right and dy down; draws nothing.
-
-    Source: graphics.h.
-    """
+    """Move the current position by dx to the right and dy down; draws nothing."""
     current.screen.moverel(dx, dy)
 
 
 def getx() -> int:
-    """Return the current position's x, relative to the viewport. Source: graphics.h."""
+    """Return the current position's x, relative to the viewport."""
     return current.screen.getx()
 
 
 def gety() -> int:
-    """Return the current position's y, relative to the viewport. Source: graphics.h."""
+    """Return the current position's y, relative to the viewport."""
     return current.screen.gety()
 
 
@@ -124,8 +112,6 @@ def setvisualpage(page: Number) -> None:
 
     Args:
         page: as for setactivepage().
-
-    Source: graphics.h.
     """
     current.screen.setvisualpage(page)
 
@@ -155,14 +141,12 @@ def setcolor(color: Number) -> None:
 
     Args:
         color: 0..getmaxcolor(); more bits than the mode has are cut off. 0 is the background.
-
-    Source: graphics.h.
     """
     current.screen.setcolor(color)
 
 
 def getcolor() -> int:
-    """Return the drawing colour, getmaxcolor() at first. Source: graphics.h."""
+    """Return the drawing colour, getmaxcolor() at first."""
     return current.screen.getcolor()
 
 
@@ -173,13 +157,13 @@ def setbkcolor(color: Number) -> None:
         color: a colour whose look index 0 takes; 0 is black. On CGA any of the 16; in CGA's
             two-colour mode it is the foreground that changes, as on the hardware.
 
-    Pixels of index 0 stay index 0. Source: graphics.h.
+    Pixels of index 0 stay index 0.
     """
     current.screen.setbkcolor(color)
 
 
 def getbkcolor() -> int:
-    """Return the number last given to setbkcolor(), 0 at first. Source: graphics.h."""
+    """Return the number last given to setbkcolor(), 0 at first."""
     return current.screen.getbkcolor()
 
 
@@ -191,7 +175,7 @@ def setpalette(index: Number, color: Number) -> None:
         color: a hardware colour: 0..63 on EGA and VGA (EGA_RED, EGA_YELLOW, ...; not YELLOW), and
             0..15 on CGA, where only index 0 can change.
 
-    graphresult() says -11, and nothing changes, for anything else. Source: graphics.h.
+    graphresult() says -11, and nothing changes, for anything else.
     """
     current.screen.setpalette(index, color)
 
@@ -202,26 +186,23 @@ def setallpalette(palette: palettetype | Sequence[Number]) -> None:
     Args:
         palette: a palettetype, or hardware colours for colour 0, 1, ...; -1 leaves one as it is.
 
-    graphresult() says -11, and nothing changes, if any of them is illegal. Source: graphics.h.
+    graphresult() says -11, and nothing changes, if any of them is illegal.
     """
     current.screen.setallpalette(palette)
 
 
 def getpalette() -> palettetype:
-    """Return the hardware colours in use: size 16 on EGA and VGA, 1 on CGA. Source: graphics.h."""
+    """Return the hardware colours in use: size 16 on EGA and VGA, 1 on CGA."""
     return current.screen.getpalette()
 
 
 def getpalettesize() -> int:
-    """Return how many colours can be changed: 16 on EGA and VGA, 1 on CGA, 256 on the 8514.
-
-    Source: graphics.h.
-    """
+    """Return how many colours can be changed: 16 on EGA and VGA, 1 on CGA, 256 on the 8514."""
     return current.screen.getpalettesize()
 
 
 def getdefaultpalette() -> palettetype:
-    """Return the hardware colours that the mode begins with. Source: graphics.h."""
+    """Return the hardware colours that the mode begins with."""
     return current.screen.getdefaultpalette()
 
 
@@ -233,8 +214,7 @@ def setrgbpalette(index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -
             which is 20 for BROWN and 56..63 for DARKGRAY..WHITE; on the 8514 the colour itself.
         red, green, blue: 0..63 on the VGA, 0..255 (upper six bits) on the 8514.
 
-    Arrays mix many. graphresult() says -11, and nothing changes, on other adapters. Source:
-    graphics.h.
+    Arrays mix many. graphresult() says -11, and nothing changes, on other adapters.
     """
     current.screen.setrgbpalette(index, red, green, blue)
 
@@ -242,13 +222,13 @@ def setrgbpalette(index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -
 def getgraphmode() -> int:
     """Return the number of the mode, for setgraphmode() to come back to it.
 
-    Works after restorecrtmode() too. Source: graphics.h.
+    Works after restorecrtmode() too.
     """
     return current.reachable().getgraphmode()
 
 
 def getmaxmode() -> int:
-    """Return the largest mode number of the driver in use: 2 for VGA. Source: graphics.h."""
+    """Return the largest mode number of the driver in use: 2 for VGA."""
     return current.reachable().getmaxmode()
 
 
@@ -257,14 +237,12 @@ def getmodename(mode: Number) -> str | None:
 
     Args:
         mode: a mode number of the driver in use; None is returned for any other.
-
-    Source: graphics.h.
     """
     return current.reachable().getmodename(mode)
 
 
 def getdrivername() -> str:
-    """Return the name of the driver in use: "EGAVGA" for EGA and VGA. Source: graphics.h."""
+    """Return the name of the driver in use: "EGAVGA" for EGA and VGA."""
     return current.reachable().getdrivername()
 
 
@@ -272,6 +250,6 @@ def graphdefaults() -> None:
     """Put colours, styles, palette, viewport and current position back to their defaults.
 
     Clears nothing; pages, aspect ratio, arc coordinates and the registers of the VGA's DAC, which
-    setrgbpalette() loads, stay. Source: graphics.h.
+    setrgbpalette() loads, stay.
     """
     current.screen.graphdefaults()

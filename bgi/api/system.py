@@ -1,4 +1,7 @@
-"""Drivers and modes: opening and closing graphics, and what went wrong."""
+"""Opening and closing graphics, what went wrong, and the tables of drivers and fonts.
+
+Source: graphics.h, unless a function says otherwise.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,7 @@ __all__ = [
 def detectgraph() -> tuple[int, int]:
     """Tell the adapter and its best mode: (VGA, VGAHI), here as on nearly every PC.
 
-    Returns driver and mode; changes nothing. Source: graphics.h.
+    Returns driver and mode; changes nothing.
     """
     return VGA, VGAHI
 
@@ -46,8 +49,7 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
 
     Returns the driver and mode in use. An unknown driver returns (-4, gm) and graphresult() says
     -4; an unknown mode returns (gd, gm) and graphresult() says -10; no screen opens then. A second
-    initgraph goes on in the same window. Raises BGIError if the window cannot be opened. Source:
-    graphics.h.
+    initgraph goes on in the same window. Raises BGIError if the window cannot be opened.
     """
     driver, number = whole("gd", gd), whole("gm", gm)
     if not isinstance(path, str):
@@ -73,7 +75,7 @@ def closegraph() -> None:
     """Close the graphics screen and its window.
 
     Never fails: without a screen, or after the user has closed the window, it does nothing.
-    Drawing afterwards raises BGIError until the next initgraph. Source: graphics.h.
+    Drawing afterwards raises BGIError until the next initgraph.
     """
     current.close_screen()
 
@@ -85,7 +87,7 @@ def setgraphmode(mode: Number) -> None:
         mode: a mode number of the driver in use.
 
     graphresult() says -10, and nothing changes, for a mode that the driver does not have. Also
-    leads back from restorecrtmode(). Source: graphics.h.
+    leads back from restorecrtmode().
     """
     number = whole("mode", mode)
     wanted = KERNEL.drivers.find(current.reachable().mode.driver, number)
@@ -99,7 +101,7 @@ def restorecrtmode() -> None:
     """Go back to the text screen, which is dark here; graphics stays loaded.
 
     Drawing now raises BGIError("BGI Error: Not in graphics mode"), until setgraphmode() leads
-    back. Source: graphics.h.
+    back.
     """
     current.leave_graphics()
 
@@ -110,8 +112,7 @@ def getmoderange(driver: Number) -> tuple[int, int]:
     Args:
         driver: CGA ... PC3270, or CURRENT_DRIVER (-1) for the one in use.
 
-    (-1, -1) for an unknown driver, and graphresult() says -4. Works before initgraph. Source:
-    graphics.h.
+    (-1, -1) for an unknown driver, and graphresult() says -4. Works before initgraph.
     """
     number = whole("driver", driver)
     if number == CURRENT_DRIVER:
@@ -125,7 +126,7 @@ def getmoderange(driver: Number) -> tuple[int, int]:
 def graphresult() -> int:
     """Return the error code of the last call that failed, and clear it: 0 means all is well.
 
-    Ask once and keep the answer: the second question is answered with 0. Source: graphics.h.
+    Ask once and keep the answer: the second question is answered with 0.
     """
     return KERNEL.result.take()
 
@@ -136,7 +137,7 @@ def grapherrormsg(code: Number) -> str:
     Args:
         code: what graphresult() returned, 0 or negative.
 
-    An unknown code gives "Graphics error (code)". Leaves the error code alone. Source: graphics.h.
+    An unknown code gives "Graphics error (code)". Leaves the error code alone.
     """
     return KERNEL.result.message(whole("code", code))
 
@@ -149,8 +150,7 @@ def installuserdriver(name: str, detect: Detect | None = None) -> int:
             to 1024x768; there are no files behind other names.
         detect: called by initgraph(DETECT); it returns the mode to use, or a negative number.
 
-    Returns the driver's number, 11 or more, or -11 when the ten places are taken. Source:
-    graphics.h.
+    Returns the driver's number, 11 or more, or -11 when the ten places are taken.
     """
     if not isinstance(name, str):
         raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
@@ -167,7 +167,7 @@ def registerbgidriver(driver: str | bytes) -> int:
         driver: EGAVGA_driver and its like, or the bytes of a .BGI file.
 
     Returns the number of its first driver, or -4 (and graphresult() says so) if it is none of
-    Borland's. Source: graphics.h.
+    Borland's.
     """
     if not isinstance(driver, (str, bytes)):
         raise TypeError(f"driver must be a str or bytes, not {type(driver).__name__}")
@@ -178,7 +178,7 @@ def registerbgidriver(driver: str | bytes) -> int:
 
 
 def registerfarbgidriver(driver: str | bytes) -> int:
-    """Register a driver, as registerbgidriver() does. Source: graphics.h."""
+    """Register a driver, as registerbgidriver() does."""
     return registerbgidriver(driver)
 
 
@@ -189,7 +189,7 @@ def installuserfont(name: str) -> int:
         name: a file name of at most 8 characters, or a path, with or without .CHR.
 
     Returns 11 or more, the number it has if it is there already, or -11 when the 20 places are
-    taken. Source: graphics.h.
+    taken.
     """
     if not isinstance(name, str):
         raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
@@ -205,8 +205,8 @@ def registerbgifont(font: str | bytes) -> int:
     Args:
         font: triplex_font and its like, or the bytes of a .CHR file.
 
-    Returns its number for settextstyle(); -13 if it is no font, -11 when the table is full, and
-    graphresult() says so too. Source: graphics.h.
+    Returns its number for settextstyle(); -13 if it is not a font, -11 when the table is full, and
+    graphresult() says so too.
     """
     number = KERNEL.fonts.install(font) if isinstance(font, str) else KERNEL.fonts.register(font)
     if number < 0:
@@ -215,7 +215,7 @@ def registerbgifont(font: str | bytes) -> int:
 
 
 def registerfarbgifont(font: str | bytes) -> int:
-    """Register a font, as registerbgifont() does. Source: graphics.h."""
+    """Register a font, as registerbgifont() does."""
     return registerbgifont(font)
 
 
@@ -223,7 +223,7 @@ def setgraphbufsize(size: Number) -> int:
     """Set the size of the buffer for filling and return the one before, at first 4096.
 
     Args:
-        size: bytes, 0..65535. Nothing here runs out of it. Source: graphics.h.
+        size: bytes, 0..65535. Nothing here runs out of it.
     """
     before, KERNEL.bufsize = KERNEL.bufsize, whole("size", size) & 0xFFFF
     return before
@@ -233,7 +233,7 @@ def _graphgetmem(size: Number) -> bytearray:
     """Return a block of memory, as the kernel's own hook does.
 
     Args:
-        size: bytes, 0..65535. Source: graphics.h.
+        size: bytes, 0..65535.
     """
     return bytearray(whole("size", size) & 0xFFFF)
 
@@ -243,5 +243,5 @@ def _graphfreemem(block: bytearray, size: Number) -> None:
 
     Args:
         block: what _graphgetmem() returned.
-        size: its size; Python frees it when nobody holds it any more. Source: graphics.h.
+        size: its size; Python frees it when nobody holds it any more.
     """

@@ -3,6 +3,8 @@
 Only the strokes are drawn: what lies under the gaps stays. There are no control characters: "\\n"
 is a picture like any other. A str is written in code page 437, "?" standing for what it lacks;
 bytes are written as they are.
+
+Source: graphics.h, unless a function says otherwise.
 """
 
 from __future__ import annotations
@@ -26,12 +28,12 @@ def settextstyle(font: Number, direction: Number, charsize: Number) -> None:
         font: DEFAULT_FONT (0), TRIPLEX_FONT (1) ... BOLD_FONT (10), or a number from
             installuserfont() or registerbgifont().
         direction: HORIZ_DIR (0) or VERT_DIR (1), which reads upwards.
-        charsize: 1..10; the built-in font is enlarged so many times, for stroked fonts 4 is their
-            own size. USER_CHAR_SIZE (0) takes setusercharsize()'s factors.
+        charsize: 1..10. The built-in font is enlarged by that factor; the stroked fonts have their
+            own size at 4. USER_CHAR_SIZE (0) takes setusercharsize()'s factors.
 
     A font file is looked for in initgraph's path, in the current folder, then among those that come
     with this package. If it cannot be had, graphresult() says why (-8 not found, -13 not a font,
-    -14 no such number, -12 not readable) and the built-in font is used. Source: graphics.h.
+    -14 no such number, -12 not readable) and the built-in font is used.
     """
     current.screen.settextstyle(font, direction, charsize)
 
@@ -43,7 +45,7 @@ def settextjustify(horiz: Number, vert: Number) -> None:
         horiz: LEFT_TEXT (0), CENTER_TEXT (1) or RIGHT_TEXT (2).
         vert: BOTTOM_TEXT (0), CENTER_TEXT (1) or TOP_TEXT (2).
 
-    graphresult() says -11, and nothing changes, for anything else. Source: graphics.h.
+    graphresult() says -11, and nothing changes, for anything else.
     """
     current.screen.settextjustify(horiz, vert)
 
@@ -56,16 +58,12 @@ def setusercharsize(multx: Number, divx: Number, multy: Number, divy: Number) ->
         multy, divy: height likewise.
 
     graphresult() says -11, and nothing changes, for a divisor of 0 or a number beyond 16 bits.
-    Source: graphics.h.
     """
     current.screen.setusercharsize(multx, divx, multy, divy)
 
 
 def gettextsettings() -> textsettingstype:
-    """Return font, direction, size (0 after setusercharsize) and justification.
-
-    Source: graphics.h.
-    """
+    """Return font, direction, size (0 after setusercharsize) and justification."""
     return current.screen.gettextsettings()
 
 
@@ -73,7 +71,7 @@ def outtext(text: str | bytes) -> None:
     """Write at the current position.
 
     It moves on by the width of the text if that is level and LEFT_TEXT. Otherwise as outtextxy();
-    it takes the same `text`. Source: graphics.h.
+    it takes the same `text`.
     """
     current.screen.outtext(text)
 
@@ -89,7 +87,6 @@ def outtextxy(x: Number, y: Number, text: str | bytes) -> None:
     In the drawing colour; leaves the current position. In the built-in font a character that does
     not fit into the viewport whole is left out; with clipping off, the whole text is left out if
     any part of it would leave the screen. Stroked text is drawn by thin solid lines, each clipped.
-    Source: graphics.h.
     """
     current.screen.outtextxy(x, y, text)
 
@@ -97,14 +94,14 @@ def outtextxy(x: Number, y: Number, text: str | bytes) -> None:
 def textwidth(text: str | bytes) -> int:
     """Return the width of a text in pixels, in the font and size in use.
 
-    Drawn stroked text can be a little narrower, as in the original. Source: graphics.h.
+    Drawn stroked text can be a little narrower, as in the original.
     """
     return current.screen.textwidth(text)
 
 
 def textheight(text: str | bytes) -> int:
-    """Return the height of a text in pixels, the same for every text in the font and size in use.
+    """Return the height of a text in pixels, the same for every text.
 
-    Source: graphics.h.
+    It depends on the font and size in use.
     """
     return current.screen.textheight(text)

@@ -1,4 +1,7 @@
-"""Windows of any size and colours of any mixture: the names that WinBGIm added to graphics.h."""
+"""Windows of any size and colours of any mixture: the names that WinBGIm added to graphics.h.
+
+Source: WinBGIm.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +44,7 @@ def initwindow(
 
     Returns its number, 0 at first, for setcurrentwindow(). Pixels are square, there are four pages.
     Wherever a colour goes, COLOR(r, g, b) goes too. ValueError for another size, BGIError if the
-    window cannot be opened. Source: WinBGIm.
+    window cannot be opened.
     """
     size = whole("width", width), whole("height", height)
     whole("left", left)
@@ -61,13 +64,13 @@ def closewindow(wid: Number = ALL_WINDOWS) -> None:
     """Close a window, CURRENT_WINDOW, or ALL_WINDOWS.
 
     Args:
-        wid: its number; an unknown one is ignored. closegraph() closes all. Source: WinBGIm.
+        wid: its number; an unknown one is ignored. closegraph() closes all.
     """
     current.close_screen(whole("wid", wid))
 
 
 def getcurrentwindow() -> int:
-    """Return the number of the window that is drawn in, or NO_CURRENT_WINDOW. Source: WinBGIm."""
+    """Return the number of the window that is drawn in, or NO_CURRENT_WINDOW."""
     return current.number
 
 
@@ -75,28 +78,28 @@ def setcurrentwindow(wid: Number) -> None:
     """Draw in another window from now on.
 
     Args:
-        wid: its number, from initwindow(); an unknown one is ignored. Source: WinBGIm.
+        wid: its number, from initwindow(); an unknown one is ignored.
     """
     current.select(whole("wid", wid))
 
 
 def getmaxwidth() -> int:
-    """Return the width of the largest window that can be opened. Source: WinBGIm."""
+    """Return the width of the largest window that can be opened."""
     return MAX_SIDE
 
 
 def getmaxheight() -> int:
-    """Return the height of the largest window that can be opened. Source: WinBGIm."""
+    """Return the height of the largest window that can be opened."""
     return MAX_SIDE
 
 
 def getwindowwidth() -> int:
-    """Return the width of the picture in pixels, getmaxx() + 1. Source: WinBGIm."""
+    """Return the width of the picture in pixels, getmaxx() + 1."""
     return current.screen.getmaxx() + 1
 
 
 def getwindowheight() -> int:
-    """Return the height of the picture in pixels, getmaxy() + 1. Source: WinBGIm."""
+    """Return the height of the picture in pixels, getmaxy() + 1."""
     return current.screen.getmaxy() + 1
 
 
@@ -107,7 +110,6 @@ def COLOR(red: Number, green: Number, blue: Number) -> int:
         red, green, blue: 0..255.
 
     One of the 16 colours is returned as its index. On other screens only its low bits count.
-    Source: WinBGIm.
     """
     return rgb.number(whole("red", red), whole("green", green), whole("blue", blue))
 
@@ -116,7 +118,7 @@ def IS_BGI_COLOR(color: Number) -> bool:
     """Tell whether a colour is one of the 16.
 
     Args:
-        color: a colour, as getpixel() or COLOR() return it. Source: WinBGIm.
+        color: a colour, as getpixel() or COLOR() return it.
     """
     return 0 <= whole("color", color) < 16
 
@@ -125,7 +127,7 @@ def IS_RGB_COLOR(color: Number) -> bool:
     """Tell whether a colour is one of your own, from COLOR().
 
     Args:
-        color: a colour, as getpixel() or COLOR() return it. Source: WinBGIm.
+        color: a colour, as getpixel() or COLOR() return it.
     """
     return rgb.is_rgb(whole("color", color))
 
@@ -134,7 +136,7 @@ def converttorgb(color: Number) -> int:
     """Return a colour as one number, red + 256 * green + 65536 * blue.
 
     Args:
-        color: an index 0..15, as it looks at first, or a colour from COLOR(). Source: WinBGIm.
+        color: an index 0..15, as it looks at first, or a colour from COLOR().
     """
     red, green, blue = rgb.components(whole("color", color))
     return blue << 16 | green << 8 | red
@@ -144,7 +146,7 @@ def RED_VALUE(color: Number) -> int:
     """Return the red part of a colour, 0..255.
 
     Args:
-        color: as for converttorgb(). Source: WinBGIm.
+        color: as for converttorgb().
     """
     return rgb.components(whole("color", color))[0]
 
@@ -153,7 +155,7 @@ def GREEN_VALUE(color: Number) -> int:
     """Return the green part of a colour, 0..255.
 
     Args:
-        color: as for converttorgb(). Source: WinBGIm.
+        color: as for converttorgb().
     """
     return rgb.components(whole("color", color))[1]
 
@@ -162,6 +164,6 @@ def BLUE_VALUE(color: Number) -> int:
     """Return the blue part of a colour, 0..255.
 
     Args:
-        color: as for converttorgb(). Source: WinBGIm.
+        color: as for converttorgb().
     """
     return rgb.components(whole("color", color))[2]
