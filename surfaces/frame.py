@@ -12,27 +12,25 @@ from itertools import product
 import numpy as np
 
 from surfaces.arrays import Doubles
-from surfaces.shape.grid import Interval
+from surfaces.shape.sampling import Interval
 from surfaces.space.fitting import Room
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
 from surfaces.systems.colors import Palette
-from surfaces.systems.pen import Pen
+from surfaces.systems.pen import DARKGRAY, LIGHTGRAY, WHITE, Pen
 from surfaces.ticks import labels, ticks
 
-Box = tuple[Doubles, Doubles]
-"""The upper left and the lower right corner of something on the screen."""
+Area = tuple[Doubles, Doubles]
+"""The upper left and the lower right corner of something on the screen, (2,) each."""
 
-# LIGHTGRAY, DARKGRAY and WHITE of graphics.h.
-EDGE, GRID, TEXT = 7, 8, 15
+EDGE_COLOR, GRID_COLOR, TEXT_COLOR = LIGHTGRAY, DARKGRAY, WHITE
 # In characters: the length of a tick, the bar of colours, and the bar with its numbers.
 TICK, BAR, BAR_AND_NUMBERS = 0.6, 1.75, 9
-NAMES = ("x", "y", "z")
 
 
 def room(pen: Pen, axes: bool, title: bool, colorbar: bool) -> Room:
     """Pixels to leave free for writing, at the left, the top, the right and the bottom."""
-    left, top, right, bottom = 6 * axes, 2 * bool(title), 3 * axes, 3 * axes
+    left, top, right, bottom = 6 * axes, 2 * title, 3 * axes, 3 * axes
     right += BAR_AND_NUMBERS * colorbar
     character = pen.character
     return left * character, top * character, right * character, bottom * character
@@ -40,12 +38,14 @@ def room(pen: Pen, axes: bool, title: bool, colorbar: bool) -> Room:
 
 @dataclass(frozen=True)
 class Frame:
-    """The box around a surface, from its lowest to its highest corner."""
+    """The box around a surface, with its axes."""
 
     pen: Pen
     view: View
     low: Doubles
+    """(3,): the lowest corner, in the surface's own x, y and z..."""
     high: Doubles
+    """(3,): ... and the highest."""
 
     @property
     def far(self) -> Doubles:
@@ -71,13 +71,13 @@ class Frame:
 
     def back(self) -> None:
         """The nine edges of the far faces, to be drawn before the surface."""
-        edges = [edge for axis in range(3) for edge in self._edges(axis)]
-        self._lines([a for a, _, n in edges if n], [b for _, b, n in edges if n], EDGE)
+        edges = [edge for axis in range(3) for edge in self._edges(axis) if edge[2]]
+        self._lines([a for a, _, _ in edges], [b for _, b, _ in edges], EDGE_COLOR)
 
     def front(self) -> None:
         """The three edges at the corner next to the eye, to be drawn after it."""
-        edges = [edge for axis in range(3) for edge in self._edges(axis)]
-        self._lines([a for a, _, n in edges if not n], [b for _, b, n in edges if not n], EDGE)
+        edges = [edge for axis in range(3) for edge in self._edges(axis) if not edge[2]]
+        self._lines([a for a, _, _ in edges], [b for _, b, _ in edges], EDGE_COLOR)
 
     def walls(self) -> None:
         """A grid on the far faces, at the numbers of the axes."""
@@ -91,11 +91,11 @@ class Frame:
                         start[other], stop[other] = self.low[other], self.high[other]
                         starts.append(start)
                         ends.append(stop)
-        self._lines(starts, ends, GRID)
+        self._lines(starts, ends, GRID_COLOR)
 
     def axes(self, names: Sequence[str]) -> None:
-        """Ticks, numbers and names, each axis at an edge of the outline."""
-        taken: list[Box] = []
+        """Ticks, numbers and the three names, each axis at an edge of the outline."""
+        taken: list[Area] = []
         for axis, name in enumerate(names):
             outline = [(start, stop) for start, stop, n in self._edges(axis) if n == 1]
             # Of the two, the lower one on the screen; for z the left one.
@@ -109,15 +109,8 @@ class Frame:
         middle: Doubles = apply((points[0] + points[1]) / 2, self.view.screen)[:2]
         return middle
 
-    def _axis(
-        self,
-        axis: int,
-        name: str,
-        start: Doubles,
-        stop: Doubles,
-        taken: list[Box],
-    ) -> None:
-        """One axis; `taken` are the places that have been written on."""
+    def _axis(self, axis: int, name: str, start: Doubles, stop: Doubles, taken: list[Area]) -> None:
+        """One axis, along an edge from start to stop; `taken` has been written on."""
         ends = apply((start, stop), self.view.screen)[:, :2]
         along = ends[1] - ends[0]
         length, character = float(np.hypot(*along)), self.pen.character
@@ -134,23 +127,23 @@ class Frame:
             part = (value - start[axis]) / ((stop[axis] - start[axis]) or 1.0)
             foot = ends[0] + part * along
             tip = foot + TICK * character * outward
-            self.pen.lines(foot[None], tip[None], self.pen.ink(EDGE))
-            box = self._place(tip, outward, text)
-            if box and not any(_touch(box, other) for other in taken):  # where two axes meet
-                self._write(box, text, taken)
+            self.pen.lines(foot[None], tip[None], self.pen.ink(EDGE_COLOR))
+            area = self._place(tip, outward, text)
+            if area and not any(_touch(area, other) for other in taken):  # where two axes meet
+                self._write(area, text, taken)
         widest = max(map(len, texts), default=0)
         clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
-        box = self._place(ends.mean(axis=0) + clear * outward, outward, name)
-        if box:
-            self._write(box, name, taken)
+        area = self._place(ends.mean(axis=0) + clear * outward, outward, name)
+        if area:
+            self._write(area, name, taken)
 
-    def _write(self, box: Box, text: str, taken: list[Box]) -> None:
-        (left, top), _ = box
-        self.pen.text(left, top, text, self.pen.ink(TEXT))
-        taken.append(box)
+    def _write(self, area: Area, text: str, taken: list[Area]) -> None:
+        (left, top), _ = area
+        self.pen.text(left, top, text, self.pen.ink(TEXT_COLOR))
+        taken.append(area)
 
-    def _place(self, at: Doubles, outward: Doubles, text: str) -> Box | None:
-        """The box of a text a little outward from a point; None if that is off the screen."""
+    def _place(self, at: Doubles, outward: Doubles, text: str) -> Area | None:
+        """The area of a text a little outward from a point; None if that is off the screen."""
         character = self.pen.character
         screen = np.array((self.pen.width, self.pen.height))
         if ((at < -character) | (at > screen + character)).any():
@@ -161,51 +154,16 @@ class Frame:
         return low, low + size
 
 
-def _touch(one: Box, other: Box) -> bool:
-    """Whether two boxes meet, or two texts in them would read as one."""
+def _touch(one: Area, other: Area) -> bool:
+    """Whether two areas meet, or two texts in them would read as one."""
     gap = np.array(((one[1] - one[0])[1] / 2, 0.0))
     return bool((one[0] < other[1] + gap).all() and (other[0] < one[1] + gap).all())
-
-
-@dataclass(frozen=True)
-class Surround:
-    """What is to be drawn around a surface."""
-
-    frame: Frame
-    palette: Palette
-    limits: Interval
-    """What the first and the last colour stand for."""
-    box: bool
-    axes: bool | Sequence[str]
-    """Whether there are axes, or their names."""
-    title: str
-    colorbar: bool
-
-    def behind(self) -> None:
-        """Draw what belongs behind the surface."""
-        if self.axes:
-            self.frame.walls()
-        if self.box or self.axes:
-            self.frame.back()
-
-    def before(self) -> None:
-        """Draw what belongs before it, and beside it."""
-        pen = self.frame.pen
-        if self.box:
-            self.frame.front()
-        if self.axes:
-            self.frame.axes(NAMES if self.axes is True else self.axes)
-        if self.title:
-            write_title(pen, self.title)
-        if self.colorbar:
-            self.palette.load(pen)
-            draw_bar(pen, self.palette, self.limits)
 
 
 def write_title(pen: Pen, title: str) -> None:
     """A line of text in the middle of the top."""
     left = (pen.width - pen.character * len(title)) / 2
-    pen.text(max(0.0, left), pen.character, title, pen.ink(TEXT))
+    pen.text(max(0.0, left), pen.character, title, pen.ink(TEXT_COLOR))
 
 
 def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
@@ -224,12 +182,12 @@ def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
         pen.pixels(x, y, shades)
     corners = np.array(((left - 1, top - 1), (right, top - 1), (right, bottom), (left - 1, bottom)))
     around = corners.astype(np.float64)
-    pen.lines(around, np.roll(around, -1, axis=0), pen.ink(EDGE))
+    pen.lines(around, np.roll(around, -1, axis=0), pen.ink(EDGE_COLOR))
     low, high = limits
     values = ticks(low, high, about=7)
     tick = np.array((TICK * character, 0.0))
     for number, text in zip(values, labels(values), strict=True):
         part = (number - low) / ((high - low) or 1.0)
         at = np.array((right, bottom - 0.5 - part * (bottom - top)))
-        pen.lines(at[None], (at + tick)[None], pen.ink(EDGE))
-        pen.text(right + 1.2 * character, at[1] - (character - 1) / 2, text, pen.ink(TEXT))
+        pen.lines(at[None], (at + tick)[None], pen.ink(EDGE_COLOR))
+        pen.text(right + 1.2 * character, at[1] - (character - 1) / 2, text, pen.ink(TEXT_COLOR))

@@ -1,4 +1,4 @@
-"""``surface`` and ``parametric``: the pieces put together.
+"""`surface` and `parametric`: the pieces put together.
 
     sample f  ->  fit to the screen  ->  transform  ->  map to the screen  ->  draw what is seen
 
@@ -13,25 +13,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from surfaces import frame
-from surfaces.arrays import Doubles
-from surfaces.frame import Frame, Surround
-from surfaces.modes import MODES, Picture, draw_contours, draw_floor
-from surfaces.shape.fields import field
-from surfaces.shape.grid import Axis, Function, Grid, Interval, data, sample
-from surfaces.shape.sheet import SHEET_MODES, SheetPicture, walk
-from surfaces.space.fitting import Room, fit
-from surfaces.space.mapping import Mapping, Projection
-from surfaces.space.projections import projection as named
-from surfaces.space.transforms import Point, apply, compose
-from surfaces.space.view import View
-from surfaces.systems.colors import Ramp, palette
-from surfaces.systems.pen import Pen, System
+from surfaces.arrays import Box, Doubles
+from surfaces.look import Look, Stage
+from surfaces.modes import MODES, draw, draw_contours, draw_floor
+from surfaces.shape.fields import fields
+from surfaces.shape.grid import Grid
+from surfaces.shape.sampling import Axis, Function, Interval
+from surfaces.shape.sheet import Sheet
+from surfaces.space.mapping import Projection
+from surfaces.space.transforms import Point, apply
+from surfaces.systems.colors import Ramp
+from surfaces.systems.pen import System
 from surfaces.ticks import ticks
+from surfaces.visible import painter
+from surfaces.visible.painter import Picture
+from surfaces.visible.pictures import HeightPicture, SheetPicture
 
 Levels = int | Sequence[float]
-MESH_LINES = 50
-"""How many lines a mesh has in each direction, or nearly so, if it is not told."""
 KEPT = 31 << 20
 """A block that the C library of Linux still takes for an ordinary one, in bytes."""
 
@@ -50,12 +48,12 @@ class Plot:
     transform: Doubles
     """4x4: from (x, y, z) of the surface to that space, fit and turn in one."""
     scales: Point
-    """The chosen scales: pixels for a unit of x, y and z along the arrows of the mapping."""
-    box: tuple[Doubles, Doubles]
-    """The lowest and the highest corner of the surface."""
+    """Pixels for a unit of the surface's x, y and z, along the arrows of the mapping."""
+    box: Box
+    """The lowest and the highest corner of the surface: (3,) each, in its own x, y and z."""
     limits: Interval
     """The values that the first and the last colour stand for."""
-    picture: Picture | SheetPicture
+    picture: Picture
     """What was drawn."""
 
     def project(self, points: ArrayLike) -> Doubles:
@@ -111,71 +109,80 @@ def surface(
 ) -> Plot:
     """Draw the surface z = f(x, y), hidden parts removed, and return what was drawn.
 
-    f          a function of two numbers or, faster, of two numpy arrays; or heights, a 2-D array of
-               f[i, j] at x[i], y[j]; or a list of functions over one domain
-    x, y       the domain, (a, b) with a < b; for heights also as many numbers, even or uneven, or
-               None to count from 0
-    n          cells in each direction, or (nx, ny)
-    mode       "fill": coloured by height. "mesh": lines of the grid. "fill+mesh": both.
-               "waterfall": only lines of constant x. "wire": all lines, even hidden ones, in the
-               current line style. "facets": cells of one colour, in the current fill pattern
-    transform  a 4x4 matrix from `space.transforms`, applied before the mapping; with it, a
-               fitted picture is smaller, so that it stays on the screen when turned
-    mapping    where the points (x, y, z) go on the screen.  None: fit the picture to the screen,
-               with the centre of the surface's box at (0, 0, 0) and x and y from -1 to 1, so that
-               ``transform`` turns the surface about its centre and keeps its shape
-    projection, theta, rho_z, zfrac   for the fitted picture: a name or view of
-               ``surfaces.space.projections``, else the paper's with its angle and compression (see
-               Mapping); and the part of the screen's height that z takes, or None for one scale on
-               all axes
-    z          (low, high): cut heights off there, infinities too; poles become holes
-    color      what the colours tell: "z", "slope", "light", an array like f, a function of x and y
-    ramp, under   the colours of the upper and the under side, names in `systems.colors.RAMPS`
-    dither     blend the bands of colour where a screen has only a few
-    lines      the colour of lines, or two, for the upper and the under side.  None: the current
-               colour; in filled modes black
-    every      a mesh line for every so many lines of the grid.  None: about fifty in all
-    contours, floor   contour lines on the surface, and below it: how many, or at which z
-    box, axes, title, colorbar   what is drawn around it; axes=("time", "Hz", "dB") names them
-    on         the graphics system to draw on (see `systems.pen`).  None: the BGI's screen
-
     Where f has no finite value there is a hole; it ends where f begins, also inside a cell (data
-    have only whole cells).  In a mode of 256 colours palette entries 16 to 255 are loaded with the
-    ramps.  Several surfaces are drawn right as long as they do not cross inside a cell.
-    ValueError, and nothing drawn, for arguments out of range.
+    have only whole cells). In a mode of 256 colours palette entries 16 to 255 are loaded with the
+    ramps. Several surfaces are drawn right as long as they do not cross inside a cell.
+
+    Args:
+        f: A function of two numbers or, faster, of two numpy arrays. Or heights, a 2-D array of
+            f[i, j] at x[i], y[j]. Or a list of functions over one domain.
+        x: The domain, (a, b) with a < b. For heights also as many numbers, even or uneven, or None
+            to count from 0.
+        y: The same for y.
+        n: Cells in each direction, or (nx, ny).
+        mode: "fill": coloured by height. "mesh": lines of the grid. "fill+mesh": both.
+            "waterfall": only lines of constant x. "wire": all lines, even hidden ones, in the
+            current line style. "facets": cells of one colour, in the current fill pattern.
+        transform: A 4x4 matrix, such as `rotation` makes, applied before the mapping. With it, a
+            fitted picture is smaller, so that it stays on the screen when turned.
+        mapping: Where the points (x, y, z) go on the screen. None: fit the picture to the screen,
+            with the centre of the surface's box at (0, 0, 0) and x and y from -1 to 1, so that
+            `transform` turns the surface about its centre and keeps its shape.
+        projection: How a fitted picture is seen: a name of `PROJECTIONS`, or a view such as
+            `orthographic` makes. None: the paper's view, with the next two.
+        theta: How far the x axis leans from straight down, in radians, between 0 and pi/2.
+        rho_z: By how much heights are compressed, above 0 and at most 1.
+        zfrac: The part of the screen's height that z takes in a fitted picture, between 0 and 1.
+            None: one scale on all axes.
+        z: (low, high): cut heights off there, infinities too; poles become holes.
+        color: What the colours show: "z", "slope", "light", an array like f, a function of x and y.
+        ramp: The colours of the upper side, a name of `RAMPS`.
+        under: The colours of the under side.
+        dither: Blend the bands of colour where a screen has only a few colours.
+        lines: The colour of lines, or two, for the upper and the under side. None: the current
+            colour; in filled modes black.
+        every: Draw every n-th line of the grid in a mesh. None: about fifty in all.
+        contours: Contour lines on the surface: how many, or at which z.
+        floor: Contour lines on the floor below it: how many, or at which z.
+        box: Draw a box around the surface.
+        axes: Draw axes with numbers; axes=("time", "Hz", "dB") names them, too.
+        title: A line of text above the picture.
+        colorbar: Draw a bar that shows what the colours stand for.
+        on: The graphics system to draw on, such as `Svg` or `Text`. None: the BGI's screen.
+
+    Returns:
+        A `Plot`, which knows where on the screen a point is, and which point is at a pixel.
+
+    Raises:
+        ValueError: for arguments out of range; nothing is drawn then.
     """
-    _check(mode, MODES, every)
-    pen = Pen(on)
-    colors = palette(pen.colors, ramp, under, dither)
-    grids = _grids(f, x, y, n, z)
-    box_around = _box(grids)
-    room = frame.room(pen, _named_axes(axes), bool(title), colorbar)
-    arrows = Mapping(theta, rho_z) if projection is None else named(projection)
-    normal, view = _placed(pen, box_around, mapping, arrows, zfrac, transform is not None, room)
-    T = normal if transform is None else compose(normal, _checked(transform))
-    fields = [field(color, grid, T) for grid in grids]
-    limits = min(f.limits[0] for f in fields), max(f.limits[1] for f in fields)
-    ink, under_ink = _inks(lines, 0 if "fill" in mode or mode == "facets" else pen.color)
-    picture = Picture(
-        pen=pen,
-        grids=grids,
-        fields=tuple(one.scaled(limits) for one in fields),
-        view=View.of(T, view),
-        palette=colors,
-        ink=ink,
-        under_ink=under_ink,
-        every=every or _every(grids[0].z.shape),
+    _check(mode, MODES)
+    look = Look(
+        projection=projection,
+        theta=theta,
+        rho_z=rho_z,
+        zfrac=zfrac,
+        ramp=ramp,
+        under=under,
+        dither=dither,
+        lines=lines,
+        every=every,
+        box=box,
+        axes=axes,
+        title=title,
+        colorbar=colorbar,
+        on=on,
     )
-    heights = float(box_around[0][2]), float(box_around[1][2])
-    on_surface, on_floor = _levels(contours, heights), _levels(floor, heights)
-    around = Frame(pen, picture.view, *box_around)
-    surround = Surround(around, colors, limits, box, axes, title, colorbar)
-    surround.behind()
-    draw_floor(picture, on_floor, around.far[2], heights)
-    MODES[mode](picture)
-    draw_contours(picture, on_surface)
-    surround.before()
-    return Plot(view, T, _scales(view, normal), box_around, limits, picture)
+    grids = _grids(f, x, y, n, z)
+    stage = look.stage(mode, _around(grids), grids[0].z.shape, transform, mapping)
+    shown = fields(color, grids, stage.transform)
+    picture = HeightPicture(stage.easel, grids, shown)
+    on_surface, on_floor = (_levels(wanted, stage.heights) for wanted in (contours, floor))
+    with stage.surroundings(shown[0].limits):
+        draw_floor(picture, on_floor, stage.frame.far[2], stage.heights)
+        draw(picture, mode)
+        draw_contours(picture, on_surface)
+    return _plot(stage, picture, shown[0].limits)
 
 
 def parametric(
@@ -205,89 +212,71 @@ def parametric(
 ) -> Plot:
     """Draw the surface (x, y, z) = f(u, v), hidden parts removed, and return what was drawn.
 
-    f          a function of two arrays that returns three: x, y and z
-    u, v       the domain, (a, b) with a < b
-    n          cells in each direction, or (nu, nv)
-    mode       "fill": each pixel by its depth, always right. "mesh", "fill+mesh", "facets": whole
-               cells by the depth of their middles, right to within a cell. "wire": all lines
-    color      what the colours tell: "z", or a function of u and v
-    under      the colours of the under side, the one from which u to v turns clockwise; None: the
-               same as the other's, for a body closed in itself shows but one
+    Args:
+        f: A function of two arrays that returns three: x, y and z.
+        u: The domain, (a, b) with a < b.
+        v: The same for v.
+        n: Cells in each direction, or (nu, nv).
+        mode: "fill": each pixel by its depth, always right. "mesh", "fill+mesh", "facets": whole
+            cells by the depth of their middles, right to within a cell. "wire": all lines.
+        transform: As for `surface`, like all that is not described here.
+        mapping: As for `surface`.
+        projection: As for `surface`.
+        theta: As for `surface`.
+        rho_z: As for `surface`.
+        zfrac: As for `surface`; None keeps the shape, so that a sphere is round.
+        color: What the colours show: "z", or a function of u and v.
+        ramp: As for `surface`.
+        under: The colours of the under side, the one from which u to v turns clockwise. None: the
+            same as the other's, for a body closed in itself shows only one.
+        dither: As for `surface`.
+        lines: The colour of lines. None: the current colour; in filled modes black.
+        every: As for `surface`.
+        box: As for `surface`.
+        axes: As for `surface`.
+        title: As for `surface`.
+        colorbar: As for `surface`.
+        on: As for `surface`.
 
-    The rest as for ``surface``; zfrac None keeps the shape, so that a sphere is round.
-    ValueError, and nothing drawn, for arguments out of range.
+    Returns:
+        A `Plot`, as `surface` does.
+
+    Raises:
+        ValueError: for arguments out of range; nothing is drawn then.
     """
-    _check(mode, SHEET_MODES, every)
-    pen = Pen(on)
-    colors = palette(pen.colors, ramp, ramp if under is None else under, dither)
-    sheet = walk(f, u, v, n)
-    room = frame.room(pen, _named_axes(axes), bool(title), colorbar)
-    arrows = Mapping(theta, rho_z) if projection is None else named(projection)
-    normal, view = _placed(pen, sheet.box, mapping, arrows, zfrac, transform is not None, room)
-    T = normal if transform is None else compose(normal, _checked(transform))
-    shown = sheet.field(color)
-    picture = SheetPicture(
-        pen=pen,
-        sheet=sheet,
-        value=np.nan_to_num(shown.value),
-        view=View.of(T, view),
-        palette=colors,
-        ink=_inks(lines, 0 if "fill" in mode or mode == "facets" else pen.color)[0],
-        every=every or _every(shown.value.shape),
+    _check(mode, painter.MODES)
+    look = Look(
+        projection=projection,
+        theta=theta,
+        rho_z=rho_z,
+        zfrac=zfrac,
+        ramp=ramp,
+        under=ramp if under is None else under,
+        dither=dither,
+        lines=lines,
+        every=every,
+        box=box,
+        axes=axes,
+        title=title,
+        colorbar=colorbar,
+        on=on,
     )
-    around = Frame(pen, picture.view, *sheet.box)
-    surround = Surround(around, colors, shown.limits, box, axes, title, colorbar)
-    surround.behind()
-    SHEET_MODES[mode](picture)
-    surround.before()
-    return Plot(view, T, _scales(view, normal), sheet.box, shown.limits, picture)
+    sheet = Sheet.sample(f, u, v, n)
+    stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping)
+    shown = sheet.field(color)
+    picture = SheetPicture(stage.easel, sheet, shown)
+    with stage.surroundings(shown.limits):
+        painter.MODES[mode](picture)
+    return _plot(stage, picture, shown.limits)
 
 
-def _check(mode: str, modes: Collection[str], every: int | None) -> None:
+def _check(mode: str, modes: Collection[str]) -> None:
     if mode not in modes:
         raise ValueError(f"mode must be one of {', '.join(map(repr, modes))}, not {mode!r}")
-    if every is not None and every < 1:
-        raise ValueError(f"every must be at least 1, not {every!r}")
 
 
-def _placed(
-    pen: Pen,
-    box: tuple[Doubles, Doubles],
-    mapping: Projection | None,
-    arrows: Projection,
-    zfrac: float | None,
-    turning: bool,
-    room: Room,
-) -> tuple[Doubles, Projection]:
-    """The mapping as given, or fitted to the screen; with the transform that goes before it."""
-    if mapping is not None:
-        return np.eye(4), mapping
-    return fit(
-        box,
-        pen.width,
-        pen.height,
-        arrows,
-        zfrac=zfrac,
-        aspect=pen.aspect,
-        turning=turning,
-        labels=room,
-    )
-
-
-def _scales(view: Projection, normal: Doubles) -> Point:
-    x, y, z = np.array(view.scale) * np.diag(normal)[:3]
-    return float(x), float(y), float(z)
-
-
-def _named_axes(axes: bool | Sequence[str]) -> bool:
-    """Whether there are axes; ValueError if they have names, and not three."""
-    if not isinstance(axes, bool) and len(axes) != 3:
-        raise ValueError(f"axes must be True, False or three names, not {axes!r}")
-    return bool(axes)
-
-
-def _every(nodes: tuple[int, ...]) -> int:
-    return max(1, round(max(nodes) / MESH_LINES))
+def _plot(stage: Stage, picture: Picture, limits: Interval) -> Plot:
+    return Plot(stage.mapping, stage.transform, stage.scales, stage.box, limits, picture)
 
 
 def _grids(
@@ -305,19 +294,13 @@ def _grids(
         return grids
     if isinstance(f, Grid):
         return (f,)
-    return (sample(f, x, y, n, z),) if callable(f) else (data(f, x, y, z),)
+    return (Grid.sample(f, x, y, n, z) if callable(f) else Grid.of(f, x, y, z),)
 
 
-def _box(grids: Sequence[Grid]) -> tuple[Doubles, Doubles]:
+def _around(grids: Sequence[Grid]) -> Box:
     """The box around all of them."""
     boxes = np.array([grid.box for grid in grids])
     return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-
-
-def _inks(lines: int | tuple[int, int] | None, usual: int) -> tuple[int, int]:
-    if isinstance(lines, tuple):
-        return lines
-    return (usual, usual) if lines is None else (lines, lines)
 
 
 def _levels(levels: Levels, heights: Interval) -> list[float]:
@@ -326,10 +309,3 @@ def _levels(levels: Levels, heights: Interval) -> list[float]:
     if not isinstance(levels, int):
         return [float(level) for level in levels]
     return [level for level in ticks(low, high, levels) if low < level < high] if levels else []
-
-
-def _checked(transform: Doubles) -> Doubles:
-    T = np.asarray(transform, dtype=np.float64)
-    if T.shape != (4, 4) or not np.isfinite(T).all():
-        raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r}")
-    return T

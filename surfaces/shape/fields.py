@@ -1,16 +1,17 @@
-"""What a surface's colours tell: its height, its slope, the light on it, or any other quantity.
+"""What a surface's colours show: its height, its slope, the light on it, or any other quantity.
 
 A field is one number for every node of the grid, brought to the range from 0 to 1 that ramps take.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from surfaces.arrays import Doubles
-from surfaces.shape.grid import Grid, Interval, evaluate
+from surfaces.shape.grid import Grid
+from surfaces.shape.sampling import Interval, evaluate
 
 # Where the light comes from, in the viewed space: over the viewer's left shoulder.
 LIGHT = np.array((0.55, -0.35, 0.76))
@@ -21,6 +22,7 @@ class Field:
     """Values over the grid, from 0 to 1, and what 0 and 1 stand for."""
 
     value: Doubles
+    """(nx+1, ny+1): one for every node, NaN where there is none."""
     limits: Interval
     quantity: Callable[[Doubles], Doubles] | None = None
     """The number itself at any points (m, 3) of the surface, if they are all it depends on."""
@@ -34,7 +36,10 @@ class Field:
         return Field(np.nan_to_num(value), limits, self.quantity)
 
     def at(self, points: Doubles, beside: Doubles) -> Doubles:
-        """The values at points (m, 3), or where only the grid knows them, the nodes' beside."""
+        """The values at points (m, 3); where only the grid knows them, those of nodes beside, (m,).
+
+        A quantity that is not finite at a point counts as the node's, too.
+        """
         if self.quantity is None:
             return beside
         low, high = self.limits
@@ -42,12 +47,24 @@ class Field:
         return np.where(np.isfinite(value), np.clip(value, 0, 1), beside)
 
 
-def field(color: Any, grid: Grid, T: Doubles) -> Field:
-    """The field that ``color`` asks for.
+def fields(color: Any, grids: Sequence[Grid], T: Doubles) -> tuple[Field, ...]:
+    """The fields of several surfaces, all with the same limits; ValueError as for `field`."""
+    found = [field(color, grid, T) for grid in grids]
+    limits = min(one.limits[0] for one in found), max(one.limits[1] for one in found)
+    return tuple(one.scaled(limits) for one in found)
 
-    "z", "slope" (how much z changes per unit, steepest way), "light" (half of it is shade), an
-    array like grid.z, or a function of x and y. T, 4x4, takes the surface to where the light is.
-    ValueError for another name or an array of another shape.
+
+def field(color: Any, grid: Grid, T: Doubles) -> Field:
+    """The field that `color` asks for.
+
+    Args:
+        color: "z", "slope" (how much z changes per unit, steepest way), "light" (half of it is
+            shade), an array like grid.z, or a function of x and y.
+        grid: The surface.
+        T: 4x4: takes the surface to where the light is.
+
+    Raises:
+        ValueError: for another name or an array of another shape.
     """
     if isinstance(color, str):
         if color not in FIELDS:
@@ -88,13 +105,16 @@ def _slope(grid: Grid, T: Doubles) -> Field:
 
 
 def _light(grid: Grid, T: Doubles) -> Field:
-    """1 where the light falls straight on the upper side, 0 where it does so on the other."""
+    """1 where the light falls straight on the upper side, 0 where it does so on the other.
+
+    Lambert's cosine, brought from -1..1 to 0..1 and squared: so there is shape in the shade, too
+    ("half Lambert": Mitchell, McTaggart and Green, "Shading in Valve's Source Engine", 2006).
+    """
     along_x, along_y = _gradient(grid)
     normal = np.stack((-along_x, -along_y, np.ones_like(along_x)), axis=-1)
     # Normals go with the inverse transpose; a reflection turns no side over.
     turned = normal @ np.linalg.inv(T[:3, :3]).T
     turned /= np.linalg.norm(turned, axis=-1, keepdims=True)
-    # Squared, for light is softer than its cosine where it comes in low.
     lit = (1 + turned @ (LIGHT / np.linalg.norm(LIGHT))) / 2
     return Field(lit**2, (0.0, 1.0))
 

@@ -7,7 +7,8 @@ line (with setcolor), fillpoly (with setfillstyle), outtextxy or setrgbpalette, 
 otherwise it makes lines and polygons out of pixels, the same pixels, and does without writing. If
 it has getviewsettings, the picture is made for the viewport.
 
-This is the one file of `surfaces` that imports `bgi`, and it uses nothing but the public calls.
+What draws knows `bgi` through this file only: its functions, as a system, and its colours. (The
+command and the explorer open the screen with it.)
 """
 
 from typing import Any, Protocol, cast
@@ -15,10 +16,47 @@ from typing import Any, Protocol, cast
 import numpy as np
 
 import bgi
+from bgi import (
+    BLACK,
+    BLUE,
+    BROWN,
+    CYAN,
+    DARKGRAY,
+    GREEN,
+    LIGHTBLUE,
+    LIGHTCYAN,
+    LIGHTGRAY,
+    LIGHTGREEN,
+    LIGHTMAGENTA,
+    LIGHTRED,
+    MAGENTA,
+    RED,
+    WHITE,
+    YELLOW,
+)
 from surfaces.arrays import Doubles, Ints
 from surfaces.systems import trace
 
-WHITE = 15
+__all__ = [
+    "BLACK",
+    "BLUE",
+    "BROWN",
+    "CYAN",
+    "DARKGRAY",
+    "GREEN",
+    "LIGHTBLUE",
+    "LIGHTCYAN",
+    "LIGHTGRAY",
+    "LIGHTGREEN",
+    "LIGHTMAGENTA",
+    "LIGHTRED",
+    "MAGENTA",
+    "RED",
+    "WHITE",
+    "YELLOW",
+    "Pen",
+    "System",
+]
 
 
 class System(Protocol):
@@ -34,16 +72,16 @@ class System(Protocol):
         """The largest colour: 1, 3, 15 or 255."""
 
     def putpixel(self, x: Any, y: Any, color: Any) -> None:
-        """Set one pixel; a system with ``arrays = True`` takes arrays of them, as the BGI does."""
+        """Set one pixel; a system with `arrays = True` takes arrays of them, as the BGI does."""
 
 
 class Pen:
     """Arrays in; pixels, lines, polygons and text on a graphics system out.
 
-    ``system`` None is the current screen of the BGI. A system may say three more things about
-    itself: ``arrays`` (its calls take arrays), ``vector`` (polygons are better than pixels, as in a
-    drawing that can be scaled), ``aspect`` (the width of a pixel divided by its height), and
-    ``character`` (how many pixels wide and high a character is, if not 8).
+    `system` None is the current screen of the BGI. A system may say four more things about itself:
+    `arrays` (its calls take arrays), `vector` (polygons are better than pixels, as in a drawing
+    that can be scaled), `aspect` (the width of a pixel divided by its height), and `character` (how
+    many pixels wide and high a character is, if not 8).
     """
 
     def __init__(self, system: System | None = None) -> None:

@@ -12,7 +12,7 @@ from surfaces.arrays import Bools, Doubles, Ints
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
 
-PART = 2048
+CHUNK = 2048
 """Cells at a time: what is made of them stays in the cache."""
 NEARNESS = 2.0**44
 """Steps of depth from the farthest to the nearest; eight bits of colour go below them."""
@@ -30,8 +30,8 @@ class DepthBuffer:
 
         ``under``, (m,): whether the under side is seen.
         """
-        for start in range(0, len(screen), PART):
-            part = slice(start, start + PART)
+        for start in range(0, len(screen), CHUNK):
+            part = slice(start, start + CHUNK)
             corners = np.concatenate(
                 (screen[part], depth[part, :, None], value[part, :, None]), axis=2
             )

@@ -19,7 +19,7 @@ from surfaces.visible.sweep import Block, Sweep
 # How far, in pixels, a line's pixel may lie behind the horizon and still be seen.
 SLACK = np.float32(0.5)
 # Lines traced at a time: what is made of them stays in the cache.
-PART = 4096
+CHUNK = 4096
 
 
 class Pixels(NamedTuple):
@@ -169,8 +169,8 @@ def visible(
 ) -> Iterator[tuple[Ints, Ints, Bools]]:
     """The visible pixels of lines on the surface: x, y, and whether the under side is seen."""
     width, height = sweep.size[::-1] if sweep.lying else sweep.size
-    for start in range(0, len(segments.line), PART):
-        part = slice(start, start + PART)
+    for start in range(0, len(segments.line), CHUNK):
+        part = slice(start, start + CHUNK)
         first, last, kept = trace.clip(segments.starts[part], segments.ends[part], width, height)
         x, y, owner = trace.line_pixels(first, last, segments.joined)
         above, below = horizon.seen(x, y, segments.line[part].take(kept).take(owner))

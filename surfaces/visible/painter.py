@@ -1,175 +1,134 @@
-"""Surfaces as cells: painted back to front, or each pixel by its depth.
+"""Surfaces made of cells: painted back to front, or each pixel by its depth.
 
-For holes, facets, several surfaces, parametric ones, and drawings made of polygons. Cells of a grid
-have an exact order, `visible.order` says which. Several surfaces over the same grid are painted
-cell by cell, in each the one farthest from the eye first: right as long as they do not cross inside
-a cell. Cells anywhere in space are painted by the depth of their middles, which is right to within
-a cell. A depth for every pixel (`visible.depth`) is always right.
+The painter's algorithm (Newell, Newell and Sancha, 1972): paint what is farthest first, and let
+what is nearer cover it. `visible.order` gives the order. Where cells pass through one another there
+is none; a depth for every pixel (`visible.depth`) is right even there, so "fill" takes that.
+
+Holes, facets, several surfaces, parametric ones, and drawings made of polygons are drawn this way.
 """
 
-from collections.abc import Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from surfaces.arrays import Bools, Doubles, Ints
-from surfaces.shape.cells import every_nth, quads
-from surfaces.shape.fields import Field
-from surfaces.shape.grid import Grid
-from surfaces.shape.rim import Rim
+from surfaces.arrays import Bools, Doubles
+from surfaces.shape.cells import every_nth
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
 from surfaces.systems.colors import Palette
-from surfaces.systems.pen import Pen
+from surfaces.systems.pen import BLACK, DARKGRAY, Pen
 from surfaces.visible.depth import DepthBuffer
-from surfaces.visible.order import back_to_front
+from surfaces.visible.order import Cells
 
-BACKGROUND = 0
-# Outlines in the background's colour are not drawn by fillpoly: DARKGRAY stands in.
-DARK = 8
+BACKGROUND = BLACK
 
 
 @dataclass(frozen=True)
-class Cells:
-    """Cells of surfaces, in painting order: the nearest last."""
+class Easel:
+    """What a picture is painted with, and how it is seen."""
 
-    nodes: Doubles
-    """(k, 3): the nodes in space."""
-    values: Doubles
-    """(k,): the field there, 0 to 1."""
-    corners: Ints
-    """(m, 4): for each cell its nodes, counterclockwise as seen from the upper side."""
+    pen: Pen
+    palette: Palette
     view: View
+    ink: int
+    """The colour of lines..."""
+    under_ink: int
+    """... and where the under side is seen."""
+    every: int
+    """How many lines of the grid make one line of the mesh."""
+
+    def load_palette(self) -> None:
+        """Load the ramps' colours, where the screen has a palette for them."""
+        self.palette.load(self.pen)
+
+
+@dataclass(frozen=True)
+class Picture(ABC):
+    """A surface made of cells, and what it is painted with."""
+
+    easel: Easel
 
     @property
-    def screen(self) -> Doubles:
-        """(m, 4, 2): where the corners appear."""
-        return apply(self.nodes, self.view.screen)[:, :2][self.corners]
+    def view(self) -> View:
+        """How it is seen."""
+        return self.easel.view
 
-    def under(self, screen: Doubles) -> Bools:
-        """(m,): whether the under side is seen, where the corners appear as in `screen`."""
-        (ax, ay), (bx, by) = (screen[:, 2] - screen[:, 0]).T, (screen[:, 3] - screen[:, 1]).T
-        # Counterclockwise in space is clockwise on the screen, or not: as the axes are drawn.
-        right, down = self.view.screen[:3, :2].T
-        return np.asarray((ax * by - ay * bx) * (np.cross(right, down) @ self.view.eye) < 0)
+    @abstractmethod
+    def cells(self, every: int = 1) -> Cells:
+        """The cells in painting order, each made of `every` by `every` cells of the grid."""
 
+    @abstractmethod
+    def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
+        """All lines of the mesh on the screen, some at a time: where they start and end, (n, 2)."""
 
-def of_grids(grids: Sequence[Grid], fields: Sequence[Field], view: View, every: int) -> Cells:
-    """The cells of surfaces over the same x and y; holes left out.
-
-    ``fields`` are over the nodes, one for each surface. With ``every``, cells are as large
-    as so many by so many.
-    """
-    thin = [grid.thinned(every) for grid in grids]
-    i, j = grids[0].lines(every)
-    nodes = np.stack([grid.points for grid in thin])
-    index = np.arange(nodes[..., 0].size).reshape(nodes.shape[:3])
-    corners = np.stack([quads(one[..., None])[..., 0] for one in index], axis=2)
-    whole = np.stack([grid.whole for grid in thin], axis=2)
-    if len(grids) > 1:
-        # Of two surfaces one above the other, the one on the eye's side is the nearer.
-        height = np.nan_to_num(nodes[..., 2].ravel()[corners].mean(axis=3)) * np.sign(view.eye[2])
-        order = np.argsort(height, axis=2)
-        whole = np.take_along_axis(whole, order, axis=2)
-        corners = np.take_along_axis(corners, order[..., None], axis=2)
-    there = back_to_front(whole, view.eye)
-    shades = np.stack([field.value[np.ix_(i, j)] for field in fields])
-    cells = Cells(
-        nodes.reshape(-1, 3), shades.ravel(), back_to_front(corners, view.eye)[there], view
-    )
-    if any(grid.rim is not None for grid in thin):
-        cells = _with_rims(cells, thin, fields, index, there)
-    return cells
+    @abstractmethod
+    def pick(self, px: float, py: float) -> Doubles | None:
+        """The nearest point (x, y, z) at a pixel, or None."""
 
 
-def _with_rims(
-    cells: Cells,
-    grids: Sequence[Grid],
-    fields: Sequence[Field],
-    index: Ints,
-    there: Bools,
-) -> Cells:
-    """Add the parts of cells at the rims of holes, each where its cell is in the painter's order.
-
-    `index` are the numbers of each grid's nodes, `there` says which cells, in painting order, are
-    among the others.
-    """
-    order = np.ravel_multi_index(np.nonzero(there)[:2], there.shape[:2])
-    ranks = np.empty(there.shape[:2], dtype=np.int64)
-    back_to_front(ranks, cells.view.eye)[:] = np.arange(ranks.size).reshape(ranks.shape)
-    for grid, field, nodes in zip(grids, fields, index, strict=True):
-        if grid.rim is not None:
-            own = range(nodes[0, 0], nodes[-1, -1] + 1)
-            cells, order = _with_rim(cells, grid.rim, field, own, order, ranks.ravel())
-    return cells
-
-
-def _with_rim(
-    cells: Cells, rim: Rim, field: Field, nodes: range, order: Ints, ranks: Ints
-) -> tuple[Cells, Ints]:
-    """Add parts of cells at the rims of holes, each where its cell is in the painter's order.
-
-    `nodes` are the grid's among those of the cells; `order` is where in it the cells are, `ranks`
-    where any cell would be.
-    """
-    on_rim = rim.corners >= len(nodes)
-    corners = rim.corners + np.where(on_rim, len(cells.nodes) - len(nodes), nodes.start)
-    orders = np.concatenate((order, ranks[rim.cell]))
-    sequence = np.argsort(orders, kind="stable")
-    values = field.at(rim.points, cells.values[rim.beside + nodes.start])
-    more = Cells(
-        np.concatenate((cells.nodes, rim.points)),
-        np.concatenate((cells.values, values)),
-        np.concatenate((cells.corners, corners))[sequence],
-        cells.view,
-    )
-    return more, orders[sequence]
-
-
-def of_points(points: Doubles, value: Doubles, view: View, every: int) -> Cells:
-    """The cells of a sheet of points, (nu+1, nv+1, 3), by depth; those with a hole left out."""
-    i, j = (every_nth(count, every) for count in value.shape)
-    nodes = points[np.ix_(i, j)].reshape(-1, 3)
-    corners = quads(np.arange(len(nodes)).reshape(len(i), len(j), 1))[..., 0]
-    near = (nodes @ view.eye)[corners].mean(axis=2)
-    there = np.isfinite(near)
-    order = np.argsort(near[there], kind="stable")
-    return Cells(nodes, value[np.ix_(i, j)].ravel(), corners[there][order], view)
-
-
-def paint(pen: Pen, palette: Palette, cells: Cells, outline: int = BACKGROUND) -> None:
-    """Cells of one colour each; an outline in the background's colour is not drawn."""
-    screen = cells.screen
-    value = sum(cells.values[corner] for corner in cells.corners.T) / 4
-    pen.polygons(screen, palette.bands(value, cells.under(screen)), outline)
-
-
-def paint_mesh(pen: Pen, cells: Cells, ink: int) -> None:
-    """Each cell covers what lies behind it with the background, and then shows its outline."""
-    pen.polygons(cells.screen, BACKGROUND, ink)
-
-
-def shade(pen: Pen, palette: Palette, cells: Cells) -> None:
-    """Cells smoothly coloured, each pixel by its depth; polygons where a system is made of them."""
-    if pen.vector or not len(cells.corners):
-        paint(pen, palette, cells)
+def fill(picture: Picture) -> None:
+    """Colour smoothly, each pixel by its depth; whole cells where a system is made of polygons."""
+    easel, cells = picture.easel, picture.cells()
+    easel.load_palette()
+    if easel.pen.vector or not len(cells.corners):
+        _paint(easel, cells, BACKGROUND)
         return
-    buffer = DepthBuffer(pen, palette)
-    screen, near = cells.screen, (cells.nodes @ cells.view.eye)[cells.corners]
+    buffer = DepthBuffer(easel.pen, easel.palette)
+    screen, near = cells.screen, (cells.nodes @ easel.view.eye)[cells.corners]
     near = (near - near.min()) / (np.ptp(near) or 1.0)
     buffer.add(screen, near, cells.values[cells.corners], cells.under(screen))
     buffer.draw()
 
 
-def wire(
-    pen: Pen,
-    points: Doubles,
-    view: View,
-    every: int,
-    ink: int,
-    joined: tuple[Bools, Bools] | None = None,
-) -> None:
-    """All lines of a sheet of points, (nu+1, nv+1, 3), hidden or not.
+def mesh(picture: Picture) -> None:
+    """Each cell covers what lies behind it with the background, and then shows its outline."""
+    easel = picture.easel
+    easel.pen.polygons(picture.cells(easel.every).screen, BACKGROUND, easel.ink)
+
+
+def fill_and_mesh(picture: Picture) -> None:
+    """The cells of the mesh in one colour each, and their outlines."""
+    easel = picture.easel
+    easel.load_palette()
+    # fillpoly draws no outline in the background's colour: dark gray stands in.
+    _paint(easel, picture.cells(easel.every), easel.ink or DARKGRAY)
+
+
+def wire(picture: Picture) -> None:
+    """The lines of the mesh, all of them."""
+    for starts, ends in picture.wires():
+        picture.easel.pen.lines(starts, ends, picture.easel.ink)
+
+
+def facets(picture: Picture) -> None:
+    """Every cell in one colour, without an outline."""
+    picture.easel.load_palette()
+    _paint(picture.easel, picture.cells(), BACKGROUND)
+
+
+MODES: dict[str, Callable[[Picture], None]] = {
+    "fill": fill,
+    "mesh": mesh,
+    "fill+mesh": fill_and_mesh,
+    "wire": wire,
+    "facets": facets,
+}
+FILLED = ("fill", "fill+mesh", "facets")
+"""The modes whose lines are black unless told otherwise."""
+
+
+def _paint(easel: Easel, cells: Cells, outline: int) -> None:
+    screen = cells.screen
+    value = sum(cells.values[corner] for corner in cells.corners.T) / 4
+    easel.pen.polygons(screen, easel.palette.bands(value, cells.under(screen)), outline)
+
+
+def mesh_lines(
+    points: Doubles, view: View, every: int, joined: tuple[Bools, Bools] | None = None
+) -> tuple[Doubles, Doubles]:
+    """The lines of a mesh of points, (nu+1, nv+1, 3), on the screen: both ends, (n, 2).
 
     `joined` says which neighbours along u, and along v, a line joins: all, if None.
     """
@@ -182,4 +141,4 @@ def wire(
     if joined is not None:
         along_u, along_v = joined
         there &= np.concatenate((along_v[i].ravel(), along_u[:, j].ravel()))
-    pen.lines(starts[there], ends[there], ink)
+    return starts[there], ends[there]

@@ -1,8 +1,9 @@
-"""From a pixel back to the surface: the paper's inverse, put to use.
+"""From a pixel back to the surface, and whether a point of it is seen.
 
-The inverse (15) needs z beside x' and y', and a pixel has none. But the surface has: in the pixel's
-column (see `visible.sweep`) the nearest strip that covers the pixel says which z belongs to it.
-Then (x', y', z) -> (x, y, z) is one product with a matrix.
+The paper's inverse (15) needs z beside x' and y', and a pixel has none. But the surface has: in the
+pixel's column (see `visible.sweep`) the nearest strip that covers the pixel says which z belongs to
+it. Then (x', y', z) -> (x, y, z) is one product with a matrix. Where there are no columns, each
+triangle is asked for its point at the pixel, by barycentric coordinates.
 """
 
 from collections.abc import Sequence
@@ -15,18 +16,22 @@ import numpy as np
 from surfaces.arrays import Bools, Doubles
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
-from surfaces.visible.sweep import Sweep
+from surfaces.visible.sweep import CHUNK, Sweep
 
 # A pixel on the surface's outline may have its centre just outside: then look around, so far.
 AROUND = sorted(product((0.0, 0.5, -0.5), repeat=2), key=lambda way: abs(way[0]) + abs(way[1]))
+# How far outside a point may lie, as a part of the triangle: between two there must be no gap.
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
 class Triangles:
-    """Triangles of a surface, in space (m, 3, 3) and on the screen (m, 3, 2)."""
+    """Triangles of a surface, in space and on the screen."""
 
     space: Doubles
+    """(m, 3, 3)"""
     screen: Doubles
+    """(m, 3, 2)"""
 
     @cached_property
     def _around(self) -> tuple[Doubles, Doubles]:
@@ -39,17 +44,22 @@ class Triangles:
         near = np.flatnonzero(((low < here + 1) & (high > here - 1)).all(axis=1))
         return Triangles(self.space[near], self.screen[near])
 
-    def hits(self, px: float, py: float) -> Doubles:
+    def points_at(self, px: float, py: float) -> Doubles:
         """Their points at a place of the screen, (n, 3)."""
         a, b, c = self.screen.swapaxes(0, 1)
         (bx, by), (cx, cy), (x, y) = (b - a).T, (c - a).T, ((px, py) - a).T
         area = bx * cy - by * cx
         area[area == 0] = np.nan  # a triangle seen on its edge, or none at all
         u, v = (x * cy - y * cx) / area, (bx * y - by * x) / area
-        hit = np.flatnonzero((u >= 0) & (v >= 0) & (u + v <= 1))
+        hit = np.flatnonzero((u >= -ROUNDING) & (v >= -ROUNDING) & (u + v <= 1 + ROUNDING))
         start, to_b, to_c = self.space[hit].swapaxes(0, 1)
         found: Doubles = start + u[hit, None] * (to_b - start) + v[hit, None] * (to_c - start)
         return found
+
+
+def nearest(points: Sequence[Doubles] | Doubles, view: View) -> Doubles | None:
+    """Of points (x, y, z) on one pixel the one nearest to the eye; None if there are none."""
+    return max(points, key=lambda point: float(point @ view.eye), default=None)
 
 
 def pick(
@@ -62,8 +72,13 @@ def pick(
 ) -> Doubles | None:
     """The nearest point (x, y, z) of height fields at a pixel, or within half a pixel; or None.
 
-    ``holes`` says for each of them which of its cells are not there, or not whole; what there is of
-    these is in ``rims``.
+    Args:
+        sweeps: The columns of each of them.
+        holes: Which of its cells, (nx, ny), are not there, or not whole.
+        rims: What there is of cells that are not whole.
+        view: How they are seen.
+        px: The pixel's x...
+        py: ... and y.
     """
     rims = rims.near(px, py)
     for dx, dy in AROUND:
@@ -71,14 +86,13 @@ def pick(
         hits = [
             point
             for sweep, hole in zip(sweeps, holes, strict=True)
-            if (point := _first(sweep.hits(x, y), sweep, hole)) is not None
+            if (point := _first(sweep.points_at(x, y), sweep, hole)) is not None
         ]
         if len(rims.space):
-            hits.extend(rims.hits(x, y))
-        if hits:
-            nearest = max(hits, key=lambda point: float(point @ view.eye))
-            stored = apply(nearest, view.screen)[2]
-            return apply((x, y, stored), view.back)
+            hits.extend(rims.points_at(x, y))
+        hit = nearest(hits, view)
+        if hit is not None:
+            return apply((x, y, apply(hit, view.screen)[2]), view.back)
     return None
 
 
@@ -90,3 +104,20 @@ def _first(points: Doubles, sweep: Sweep, hole: Bools) -> Doubles | None:
         if not hole[i, j]:
             return np.asarray(point)
     return None
+
+
+def seen(sweeps: Sequence[Sweep], points: Doubles) -> Bools:
+    """Which points (m, 3) of the surfaces no strip hides; a strip of its own cell never does.
+
+    The horizon knows what hides a point when the surface has no holes and is alone. Otherwise this
+    asks, for each point, every strip in its column: that costs one look at every line for every
+    point. For lines on a surface, whose points are few, it is quick enough.
+    """
+    found = np.ones(len(points), dtype=bool)
+    for sweep in sweeps:
+        if not sweep.edge_on:
+            step = max(1, CHUNK // sweep.shape[0])
+            for start in range(0, len(points), step):
+                part = slice(start, start + step)
+                found[part] &= ~sweep.hidden(points[part])
+    return found

@@ -27,7 +27,7 @@ from surfaces.space.view import View
 
 # Entries of a block of columns: what is made of them stays in the cache, and below the size at
 # which an allocator asks the system for fresh memory each time.
-BLOCK = 1 << 14
+CHUNK = 1 << 14
 # Narrower than this many pixels, a surface is seen on its edge, and columns say nothing about it.
 EDGE_ON = 1.5
 # Heights of less than this many pixels are no direction to shear along.
@@ -190,7 +190,7 @@ class Sweep:
 
     def blocks(self, phase: int = 0) -> Iterator[Block]:
         """All columns on the screen, some at a time; those of another phase lie between them."""
-        step = max(1, BLOCK // len(self.s))
+        step = max(1, CHUNK // len(self.s))
         for start in range(self.first - (phase > 0), self.last + 1, step):
             stop = min(start + step, self.last + 1)
             u = np.arange(start, stop, dtype=np.float64) + phase / self.phases
@@ -261,7 +261,7 @@ class Sweep:
             v[border.column, border.line] += per_line * (border.s - self.s[border.line])
         return v
 
-    def hits(self, px: float, py: float) -> Doubles:
+    def points_at(self, px: float, py: float) -> Doubles:
         """All points (x, y, z) of the surface at a place of the screen, (m, 3), nearest first.
 
         None if the surface is seen on its edge.  Holes, of NaN, are never hit.
@@ -269,7 +269,7 @@ class Sweep:
         if self.edge_on:
             return np.zeros((0, 3))
         u, v = self._column(np.array(((px, py),)))
-        points, down, met = (array[0] for array in self._met(u))
+        points, down, met = (array[0] for array in self._profiles(u))
         down = down - v
         strip = np.flatnonzero(met[:-1] & met[1:] & (down[:-1] * down[1:] <= 0))
         change = down[strip] - down[strip + 1]
@@ -277,10 +277,10 @@ class Sweep:
         found: Doubles = points[strip] + part * (points[strip + 1] - points[strip])
         return found
 
-    def hides(self, points: Doubles) -> Bools:
+    def hidden(self, points: Doubles) -> Bools:
         """Which points (m, 3) of space are behind a strip, by more than a cell is deep."""
         u, v = self._column(apply(points, self.view.screen)[:, :2])
-        lines, down, met = self._met(u)
+        lines, down, met = self._profiles(u)
         down = down - v[:, None]
         covers = met[:, :-1] & met[:, 1:] & (down[:, :-1] * down[:, 1:] < 0)
         point, strip = np.nonzero(covers)
@@ -299,7 +299,7 @@ class Sweep:
         across, v = pixels.T[::-1] if self.lying else pixels.T
         return across - self.shear * v, v
 
-    def _met(self, u: Doubles) -> tuple[Doubles, Doubles, Bools]:
+    def _profiles(self, u: Doubles) -> tuple[Doubles, Doubles, Bools]:
         """Where columns meet the lines: points (m, lines, 3), v, and whether they do."""
         crossings = self.crossings(u)
         u0, us, ut = self._u

@@ -28,6 +28,7 @@ from surfaces.shape.fields import field
 from surfaces.space.view import View
 from surfaces.systems.colors import UNDER, UPPER
 from surfaces.ticks import labels, ticks
+from surfaces.visible.pictures import HeightPicture
 from tests.surfaces.raycast import Canvas
 
 SQUARE: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}
@@ -194,7 +195,8 @@ def test_hidden_contours_are_not_drawn(holes: bool) -> None:
 
     canvas = Canvas(320, 240)
     plot = surface(hill, **SQUARE, n=80, contours=[0.3], lines=15, zfrac=0.7, on=canvas)
-    assert plot.picture.swept != holes  # type: ignore[union-attr]
+    assert isinstance(plot.picture, HeightPicture)
+    assert plot.picture.swept != holes
     rows, columns = np.nonzero(canvas.array == 15)
     seen = np.array([plot.pick(x, y) for x, y in zip(columns, rows, strict=True)], dtype=float)
     assert np.hypot(seen[:, 0], seen[:, 1]) == pytest.approx(sqrt(-np.log(0.3) / 6), abs=0.08)

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from surfaces import FIGURES
-from surfaces.shape.grid import evaluate, sample
+from surfaces.shape.grid import sample
+from surfaces.shape.sampling import evaluate
 
 
 def test_nodes_and_values() -> None:

@@ -9,6 +9,7 @@ import pytest
 from surfaces import FIGURES, Figure, affine, compose, rotation, scaling, surface
 from surfaces.arrays import Doubles
 from surfaces.systems.colors import UNDER, UPPER
+from surfaces.visible.pictures import HeightPicture
 from tests.surfaces.raycast import Canvas, Cast, cast, edges
 
 VIEWS: dict[str, Doubles | None] = {
@@ -142,6 +143,7 @@ def test_a_mesh_shows_the_lines_that_rays_see(view: str) -> None:
     plot = surface(f, (-2, 2), (-1, 2), mode="mesh", every=every, lines=14, on=canvas, **how)
     lit = np.pad(canvas.array, 1) == 14
     lit = sum(lit[i : i + 240, j : j + 320] for i in range(3) for j in range(3)) > 0
+    assert isinstance(plot.picture, HeightPicture)
     grid = plot.picture.grids[0]
     nodes = grid.points[::every, ::every].reshape(-1, 3)
     x, y = np.floor(plot.project(nodes)[:, :2].T + 0.5).astype(int)

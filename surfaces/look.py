@@ -1,0 +1,196 @@
+"""How a surface looks: the options that `surface` and `parametric` share, and their effect.
+
+A `Look` holds the options as they were given. For a surface of a certain size it makes a `Stage`:
+pen, palette and view ready to draw with, and the surroundings ready to be drawn.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import numpy as np
+
+from surfaces import frame
+from surfaces.arrays import Box, Doubles
+from surfaces.frame import Frame, draw_bar, write_title
+from surfaces.shape.sampling import Interval
+from surfaces.space.fitting import fit
+from surfaces.space.mapping import Mapping, Projection
+from surfaces.space.projections import projection
+from surfaces.space.transforms import Point, compose
+from surfaces.space.view import View
+from surfaces.systems.colors import Ramp, palette
+from surfaces.systems.pen import BLACK, Pen, System
+from surfaces.visible.painter import FILLED, Easel
+
+MESH_LINES = 50
+"""About how many lines a mesh has in each direction, unless told otherwise."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """The options that surfaces of every kind share; ValueError for one out of range.
+
+    The plain words for each are in `surface`.
+    """
+
+    projection: str | Projection | None
+    """A name of `PROJECTIONS` or a view, for the fitted picture. None: the paper's view..."""
+    theta: float
+    """... with this angle of the x axis from straight down, in radians: 0 < theta < pi/2..."""
+    rho_z: float
+    """... and heights compressed by this: 0 < rho_z <= 1."""
+    zfrac: float | None
+    """The part of the screen's height that z takes, 0 to 1. None: one scale for all axes."""
+    ramp: str | Ramp
+    """The colours of the upper side, by a name of `RAMPS` or mixed by hand."""
+    under: str | Ramp
+    """The colours of the under side."""
+    dither: bool
+    """Whether to blend bands of colour where the screen has only a few."""
+    lines: int | tuple[int, int] | None
+    """The colour of lines, or one for each side. None: the current one; in filled modes black."""
+    every: int | None
+    """How many lines of the grid make one line of the mesh. None: about MESH_LINES in all."""
+    box: bool
+    """Whether to draw the edges of the box around the surface."""
+    axes: bool | Sequence[str]
+    """Whether to draw axes with numbers, or what to call the three of them."""
+    title: str
+    """A line above the picture."""
+    colorbar: bool
+    """Whether to draw a bar that shows what the colours stand for."""
+    on: System | None
+    """The graphics system to draw on. None: the BGI's current screen."""
+
+    def __post_init__(self) -> None:
+        if self.every is not None and self.every < 1:
+            raise ValueError(f"every must be at least 1, not {self.every!r}")
+        if not isinstance(self.axes, bool) and len(self.axes) != 3:
+            raise ValueError(f"axes must be True, False or three names, not {self.axes!r}")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the three axes; none without axes."""
+        if isinstance(self.axes, bool):
+            return ("x", "y", "z") if self.axes else ()
+        return tuple(self.axes)
+
+    def stage(
+        self,
+        mode: str,
+        box: Box,
+        nodes: tuple[int, ...],
+        transform: Doubles | None,
+        mapping: Projection | None,
+    ) -> "Stage":
+        """Make ready to draw a surface.
+
+        Args:
+            mode: The mode it will be drawn in.
+            box: The box around it.
+            nodes: How many nodes it has in each direction.
+            transform: 4x4, what moves it before it is mapped. None: nothing.
+            mapping: How it is mapped to the screen. None: so that it fits.
+        """
+        pen = Pen(self.on)
+        fitted, mapping = self._fitted(pen, box, mapping, turning=transform is not None)
+        T = fitted if transform is None else compose(fitted, _checked(transform))
+        ink, under_ink = self._inks(BLACK if mode in FILLED else pen.color)
+        easel = Easel(
+            pen=pen,
+            palette=palette(pen.colors, self.ramp, self.under, self.dither),
+            view=View.of(T, mapping),
+            ink=ink,
+            under_ink=under_ink,
+            every=self.every or max(1, round(max(nodes) / MESH_LINES)),
+        )
+        return Stage(self, easel, box, mapping, fitted, T)
+
+    def _fitted(
+        self, pen: Pen, box: Box, mapping: Projection | None, turning: bool
+    ) -> tuple[Doubles, Projection]:
+        """The mapping as given, or one that fits; and the 4x4 transform that goes before it."""
+        given = self.projection
+        view = Mapping(self.theta, self.rho_z) if given is None else projection(given)
+        if mapping is not None:
+            return np.eye(4), mapping
+        return fit(
+            box,
+            pen.width,
+            pen.height,
+            view,
+            zfrac=self.zfrac,
+            aspect=pen.aspect,
+            turning=turning,
+            labels=frame.room(pen, bool(self.names), bool(self.title), self.colorbar),
+        )
+
+    def _inks(self, usual: int) -> tuple[int, int]:
+        """The colours of lines on the upper and on the under side."""
+        if isinstance(self.lines, tuple):
+            return self.lines
+        ink = usual if self.lines is None else self.lines
+        return ink, ink
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A screen made ready for a surface."""
+
+    look: Look
+    easel: Easel
+    box: Box
+    """The box around the surface."""
+    mapping: Projection
+    """From space to the screen."""
+    fitted: Doubles
+    """4x4: puts the surface into the middle of that space."""
+    transform: Doubles
+    """4x4: the same, and then what turns it there."""
+
+    @property
+    def frame(self) -> Frame:
+        """The box and the axes around the surface."""
+        return Frame(self.easel.pen, self.easel.view, *self.box)
+
+    @property
+    def heights(self) -> Interval:
+        """The least and the greatest z."""
+        low, high = self.box
+        return float(low[2]), float(high[2])
+
+    @property
+    def scales(self) -> Point:
+        """Pixels for a unit of the surface's x, y and z, along the arrows of the mapping."""
+        x, y, z = np.array(self.mapping.scale) * np.diag(self.fitted)[:3]
+        return float(x), float(y), float(z)
+
+    @contextmanager
+    def surroundings(self, limits: Interval) -> Iterator[None]:
+        """What lies behind the surface; then the block draws the surface; then what is before it.
+
+        `limits` are the values that the first and the last colour stand for.
+        """
+        look, pen = self.look, self.easel.pen
+        if look.names:
+            self.frame.walls()
+        if look.box or look.names:
+            self.frame.back()
+        yield
+        if look.box:
+            self.frame.front()
+        if look.names:
+            self.frame.axes(look.names)
+        if look.title:
+            write_title(pen, look.title)
+        if look.colorbar:
+            self.easel.load_palette()
+            draw_bar(pen, self.easel.palette, limits)
+
+
+def _checked(transform: Doubles) -> Doubles:
+    T = np.asarray(transform, dtype=np.float64)
+    if T.shape != (4, 4) or not np.isfinite(T).all():
+        raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r}")
+    return T

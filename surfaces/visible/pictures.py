@@ -1,0 +1,107 @@
+"""The two kinds of picture: of height fields over a grid, and of a sheet anywhere in space."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from surfaces.arrays import Doubles
+from surfaces.shape.fields import Field
+from surfaces.shape.grid import Grid
+from surfaces.shape.sheet import Sheet
+from surfaces.space.transforms import apply
+from surfaces.visible.horizon import Horizon
+from surfaces.visible.order import Cells, cells_of_grids, cells_of_points
+from surfaces.visible.painter import Picture, mesh_lines
+from surfaces.visible.picking import Triangles, nearest, pick
+from surfaces.visible.sweep import Sweep
+
+
+@dataclass(frozen=True)
+class HeightPicture(Picture):
+    """Surfaces z = f(x, y) over the same x and y."""
+
+    grids: tuple[Grid, ...]
+    fields: tuple[Field, ...]
+    """For each surface the field that its colours show, all with the same limits."""
+
+    @cached_property
+    def sweeps(self) -> list[Sweep]:
+        """The columns of each surface."""
+        pen = self.easel.pen
+        return [Sweep(grid, self.view, pen.width, pen.height) for grid in self.grids]
+
+    @cached_property
+    def swept(self) -> bool:
+        """Whether the floating horizon can draw it: one surface, without holes, not on its edge.
+
+        Where a system is made of polygons, cells are better than the horizon's pixels.
+        """
+        alone = len(self.grids) == 1 and not self.easel.pen.vector
+        return alone and bool(self.grids[0].whole.all()) and not self.sweeps[0].edge_on
+
+    @cached_property
+    def horizon(self) -> Horizon:
+        """The horizon of a surface that is swept."""
+        return Horizon(self.sweeps[0])
+
+    @cached_property
+    def rims(self) -> Triangles:
+        """Parts of cells at the rims of holes."""
+        found = [g.rim.triangles(g.points.reshape(-1, 3)) for g in self.grids if g.rim is not None]
+        space = np.concatenate([np.zeros((0, 3, 3)), *found])
+        return Triangles(space, apply(space, self.view.screen)[..., :2])
+
+    def cells(self, every: int = 1) -> Cells:
+        """The cells in painting order, each made of `every` by `every` cells of the grid."""
+        return cells_of_grids(self.grids, self.fields, self.view, every)
+
+    def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
+        """All lines of the mesh on the screen, and then those that lead on to the rim of a hole."""
+        every = self.easel.every
+        for grid in self.grids:
+            yield mesh_lines(grid.points, self.view, every, grid.joined)
+            pieces, _ = grid.loose_ends(every)
+            starts, ends = apply(pieces, self.view.screen)[..., :2].swapaxes(0, 1)
+            yield starts, ends
+
+    def pick(self, px: float, py: float) -> Doubles | None:
+        """The nearest point (x, y, z) at a pixel, or None."""
+        holes = [~grid.whole for grid in self.grids]
+        return pick(self.sweeps, holes, self.rims, self.view, px, py)
+
+
+@dataclass(frozen=True)
+class SheetPicture(Picture):
+    """A surface (x, y, z) = f(u, v).
+
+    There are no columns and no grid order here, for a ring may hide itself in any view.
+    """
+
+    sheet: Sheet
+    field: Field
+    """The field that its colours show."""
+
+    def cells(self, every: int = 1) -> Cells:
+        """The cells in painting order, each made of `every` by `every` cells of the grid."""
+        return cells_of_points(self.sheet.points, self.field.value, self.view, every)
+
+    def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
+        """All lines of the mesh on the screen."""
+        yield mesh_lines(self.sheet.points, self.view, self.easel.every)
+
+    @cached_property
+    def _triangles(self) -> Triangles:
+        """Two for every cell."""
+        cells = self.cells()
+        space, screen = cells.nodes[cells.corners], cells.screen
+        halves = [0, 1, 2], [0, 2, 3]
+        return Triangles(
+            np.concatenate([space[:, half] for half in halves]),
+            np.concatenate([screen[:, half] for half in halves]),
+        )
+
+    def pick(self, px: float, py: float) -> Doubles | None:
+        """The nearest point (x, y, z) at a pixel, or None."""
+        return nearest(self._triangles.near(px, py).points_at(px, py), self.view)
