@@ -1,10 +1,10 @@
 """Circles, ellipses, arcs and pies.
 
-Angles are whole degrees, 0 at three o'clock, growing counter-clockwise; those beyond a turn are
-brought into it. The line style is ignored; the width is honoured, the write mode only by thick
-curves. circle(), arc() and pieslice() take one radius, in pixels across, and flatten the curve by
-the mode's aspect ratio; the others take both radii as they are. A radius of 0 is drawn like 1;
-negative ones, and those above 6553, draw nothing. Arrays draw many.
+Angles are whole degrees, 0 at three o'clock, growing counter-clockwise; give 0..360, for what a
+negative one means is not the same everywhere. The line style is ignored; the width is honoured, the
+write mode only by thick curves. circle(), arc() and pieslice() take one radius, in pixels across,
+and flatten the curve by the mode's aspect ratio; the others take both radii as they are. A circle
+of radius 0 is drawn like 1; negative radii, and those above 6553, draw nothing. Arrays draw many.
 
 Source: graphics.h, unless a function says otherwise.
 """
@@ -50,12 +50,13 @@ def arc(
 
     Args:
         x, y: the centre, relative to the viewport.
-        stangle, endangle: degrees; the arc passes through 0 if endangle is the lesser one.
+        stangle, endangle: degrees; the arc passes through 0 if endangle is the lesser one. Nothing
+            is drawn from -1.
         radius: in pixels across; the height follows the aspect ratio.
         color: this arc's colour; the drawing colour if None.
 
-    0 to 360 is the full circle, equal angles draw nothing (thick: the full circle). getarccoords()
-    returns its ends.
+    0 to 360 is the full circle; equal angles draw nothing. A thick arc is the full circle also for
+    equal angles, and from a negative angle to 0 or more. getarccoords() returns the ends.
     """
     current.screen.arc(x, y, stangle, endangle, radius, color)
 
@@ -99,7 +100,8 @@ def pieslice(x: Numbers, y: Numbers, stangle: Numbers, endangle: Numbers, radius
 
     Args:
         x, y: the centre, relative to the viewport.
-        stangle, endangle: degrees, from the lesser to the greater one in either order.
+        stangle, endangle: degrees, from the lesser to the greater one in either order. A negative
+            one is 65536 more: write 270, not -90, which is 286.
         radius: in pixels across; the height follows the aspect ratio.
 
     The arc is drawn by lines of the line style, so that a dotted style leaves it out; equal angles
@@ -129,9 +131,10 @@ def sector(
 
 
 def getarccoords() -> arccoordstype:
-    """Return centre, start and end of the last arc, ellipse, pie slice or sector.
+    """Return centre, start and end of the last arc, circle, ellipse, pie slice or sector.
 
-    Relative to the viewport it was drawn in; all 0 at first. Circles do not count.
+    Relative to the viewport it was drawn in; all 0 at first. A thick arc, or one of no angle, moves
+    only the centre, and start and end with it. Nothing resets them.
     """
     return current.screen.getarccoords()
 

@@ -27,8 +27,9 @@ class Curves(Pen):
         return self.aspect
 
     def getarccoords(self) -> arccoordstype:
-        """Centre and ends of the last arc."""
-        return self._arc_coords
+        """Centre of the last curve, and ends of the last that told its own."""
+        x, y, ((x1, y1), (x2, y2)) = KERNEL.curve
+        return arccoordstype(x, y, x + x1, y + y1, x + x2, y + y2)
 
     # Outlines
 
@@ -38,9 +39,10 @@ class Curves(Pen):
             xasp, yasp = self.aspect
             ry = radius * xasp // yasp
             if self._thick:
-                self._ellipse(x, y, 0, 360, radius, ry)
+                self._elliptic_arc(x, y, 0, 360, radius, ry)
             else:
                 outline = ellipses.outline(0, 360, radius, ry, self.mode.width)
+                KERNEL.curve = x, y, outline.ends
                 self.page.curve(x + self._dx, y + self._dy, outline, self.settings.color)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
@@ -107,21 +109,24 @@ class Curves(Pen):
         )
 
     def _elliptic_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
-        self._record_arc(x, y, start, end, rx, ry)
-        self._ellipse(x, y, start, end, rx, ry)
-
-    def _record_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
-        (x1, y1), (x2, y2) = ellipses.point_at(start, rx, ry), ellipses.point_at(end, rx, ry)
-        self._arc_coords = arccoordstype(x, y, x + x1, y + y1, x + x2, y + y2)
-
-    def _ellipse(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """From angle to angle; a thin curve ignores line style and write mode."""
-        x, y, color = x + self._dx, y + self._dy, self.settings.color
-        if not self._thick:
-            self.page.curve(x, y, ellipses.outline(start, end, rx, ry, self.mode.width), color)
+        if start == -1:  # which is how the kernel says that there is no arc
             return
+        *_, ends = KERNEL.curve
+        cx, cy = x + self._dx, y + self._dy
+        if self._thick:
+            self._thick_arc(cx, cy, start, end, rx, ry)
+        elif start != end:
+            outline = ellipses.outline(start, end, rx, ry, self.mode.width)
+            ends = outline.ends
+            self.page.curve(cx, cy, outline, self.settings.color)
+        KERNEL.curve = x, y, ends
+
+    def _thick_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
+        """Lines from degree to degree around an absolute point; they know the write mode."""
         if not ellipses.drawable(rx, ry):
             return
+        color = self.settings.color
         corners = [(x + dx, y + dy) for dx, dy in ellipses.thick_points(start, end, rx, ry)]
         for side in polygons.edges(polygons.paths(corners)):
             for strand in lines.strands(*side):
@@ -141,7 +146,7 @@ class Curves(Pen):
         self.page.fill_symmetric(
             x + self._dx, y + self._dy, steps, self.settings.fill.color, self.settings.fill_rows
         )
-        self._ellipse(x, y, 0, 360, rx, ry)
+        self._elliptic_arc(x, y, 0, 360, rx, ry)
 
     def pieslice(
         self, x: Numbers, y: Numbers, stangle: Numbers, endangle: Numbers, radius: Numbers
@@ -175,16 +180,19 @@ class Curves(Pen):
 
     def _sector(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Quadrant by quadrant: each piece's area, then its arc; the two radii at the end."""
+        start, end = ellipses.slice_angles(start, end)
+        # Without an angle between them both radii are a dot.
+        ends = (0, 0), (0, 0)
+        if start < end:
+            ends = ellipses.point_at(start, rx, ry), ellipses.point_at(end, rx, ry)
+        KERNEL.curve = x, y, ends
         if not ellipses.drawable(rx, ry):
             return
-        start, end = sorted((start % 360, end if end == 360 else end % 360))
-        self._record_arc(x, y, start, end, rx, ry)
         fill, color = self.settings.fill.color, self.settings.color
         cx, cy = x + self._dx, y + self._dy
         for first, last in ellipses.quarters(start, end):
             arc = [(cx + dx, cy + dy) for dx, dy in ellipses.arc(first, last, rx, ry)]
             self._fill_area([*arc, (cx, cy)], fill)
             self._sides(polygons.edges(polygons.paths(arc)), color)
-        for angle in (start, end):  # without an angle between them both radii are a dot
-            dx, dy = ellipses.point_at(angle, rx, ry) if start < end else (0, 0)
+        for dx, dy in ends:
             self._segment(cx, cy, cx + dx, cy + dy, color)

@@ -21,7 +21,7 @@ from bgi.memory.palette import Palette
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
 from bgi.raster.patterns import line_mask
-from bgi.settings import Settings, arccoordstype, palettetype, viewporttype
+from bgi.settings import Settings, palettetype, viewporttype
 
 
 class State:
@@ -49,7 +49,6 @@ class State:
         self.pages = [Page(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
         self.palette = Palette(mode, self.card.palette)
         self.aspect = mode.xasp, YASP
-        self._arc_coords = arccoordstype(0, 0, 0, 0, 0, 0)
         self._active = 0
         self.page = self.pages[0]
         self.graphdefaults()

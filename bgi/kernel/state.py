@@ -71,7 +71,7 @@ class Result:
 
 
 class Kernel:
-    """The error code, the tables of fonts and drivers, and two numbers."""
+    """The error code, the tables of fonts and drivers, and what survives initgraph()."""
 
     def __init__(self) -> None:
         self.reset()
@@ -81,6 +81,9 @@ class Kernel:
         self.result = Result()
         self.fonts = FontTable()
         self.drivers = DriverTable()
+        self.curve = 0, 0, ((0, 0), (0, 0))
+        """For getarccoords(): the last curve's centre; from there, the ends of the last curve that
+        told them."""
         self.bufsize = 4096
         """What setgraphbufsize() was given last, in bytes."""
         self.seed = 1

@@ -194,6 +194,9 @@ class Page:
         self.differing(border, SOLID_ROWS, inside)
         if inside[y * self.width + x]:
             self.differing(color, rows, unfilled)
+            # A pixel to go on from is looked for between the first and the last column only.
+            shape = self.height, self.width
+            np.frombuffer(unfilled, np.bool_).reshape(shape)[:, [self._left, self._right]] = False
             self.fill_rows(flood(inside, unfilled, self.width, x, y), color, rows)
 
     def _inked(self, mask: Mask, color: int) -> Pixels:
@@ -279,7 +282,7 @@ class Page:
 
     def curve(self, x: int, y: int, outline: Outline, color: int) -> None:
         """A thin curve around x, y."""
-        dx, dy, place, left, top, right, bottom = outline
+        dx, dy, place, left, top, right, bottom, _ = outline
         if (
             self._left <= x + left
             and x + right <= self._right

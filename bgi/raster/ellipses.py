@@ -76,20 +76,22 @@ def drawable(rx: int, ry: int) -> bool:
     return min(rx, ry) >= 0 and 100 * max(rx, ry) ** 2 < _OVERFLOW
 
 
-def reduced(start: int, end: int) -> tuple[int, int]:
-    """Angles brought into a turn; a whole number of turns from start to end is one."""
-    if start != end and (end - start) % 360 == 0:
-        return start % 360, start % 360 + 360
-    return start % 360, end % 360
+MOST_CORNERS = 679
+"""More corners of a thick curve did not fit the original's buffer: it drew nothing then."""
 
 
 def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
-    """The corners of a thick curve: one for every whole degree from start to end."""
-    if not -360 <= start <= 720 or not -360 <= end <= 720:
-        start, end = reduced(start, end)
-    if start >= end:
-        end += 360
-    return [point_at(angle, rx, ry) for angle in range(start, end + 1)]
+    """The corners of a thick curve: one for every whole degree from start to end.
+
+    The original compares angles as unsigned numbers of 16 bits, so that an arc which begins below
+    0 goes beyond a whole turn. Where it would draw nothing for want of memory, the arc is brought
+    into a turn.
+    """
+    later = 360 if start & 0xFFFF >= end & 0xFFFF else 0
+    sweep = (end + later - start) & 0xFFFF
+    if sweep >= MOST_CORNERS:
+        sweep = min(end - start, 360) % 360 or 360
+    return [point_at(angle, rx, ry) for angle in range(start, start + sweep + 1)]
 
 
 _QUADRANT = 1 << 20
@@ -116,6 +118,8 @@ class Outline(NamedTuple):
     right: int
     bottom: int
     """How far it reaches, all offsets from the centre; nothing for an empty one."""
+    ends: tuple[Offset, Offset]
+    """Where getarccoords() says that it starts and ends: offsets, whether drawn or not."""
 
 
 @lru_cache(maxsize=256)
@@ -124,24 +128,35 @@ def outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
     points = np.array(arc(start, end, rx, ry), dtype=np.int64).reshape(-1, 2)
     dx, dy = points.T
     reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
-    return Outline(dx, dy, dy * width + dx, *map(int, reach))
+    left, top, right, bottom = map(int, reach)
+    ends = point_at(start, rx, ry), point_at(end, rx, ry)
+    return Outline(dx, dy, dy * width + dx, left, top, right, bottom, ends)
 
 
 def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     """The points of a thin arc, or of a whole ellipse: four for each step, in that order."""
-    start, end = reduced(start, end)
     if start == end:
         return []
     points = [point for x, y in quadrant(rx, ry) for point in ((x, -y), (-x, -y), (x, y), (-x, y))]
-    rx, ry = max(rx, 1), max(ry, 1)
     first, last = point_at(start, rx, ry), point_at(end, rx, ry)
-    sweep = (end - start) % 360 or 360
+    sweep = end - start if start < end else 360  # whatever it is
     if points and (sweep < 2 or (first == last and sweep < 350)):
         return [last]
     low, high = _rank(*first), _rank(*last)
     if high <= low:
         return [point for point in points if not high < _rank(*point) < low]
     return [point for point in points if low <= _rank(*point) <= high]
+
+
+def slice_angles(start: int, end: int) -> tuple[int, int]:
+    """The angles of a slice, the lesser one first, 0..360.
+
+    A negative angle is taken as an unsigned number of 16 bits: -90 is 65446, which means 286. An
+    end of 360 stays, any other whole turn is 0.
+    """
+    unsigned = [angle if angle >= 0 else angle + 0x10000 for angle in (start, end)]
+    first, last = unsigned[0] % 360, unsigned[1] if unsigned[1] == 360 else unsigned[1] % 360
+    return min(first, last), max(first, last)
 
 
 def quarters(start: int, end: int) -> list[tuple[int, int]]:

@@ -2,9 +2,10 @@
 
 This is span filling (A. R. Smith, "Tint Fill", SIGGRAPH 1979): whole runs of a row are filled, and
 from each of them the rows above and below are searched. The driver goes on wherever it sees a pixel
-that is not border and does not look filled already: what looks filled stops it. The
-original keeps its seeds on a short stack and loses what does not fit; here nothing is lost,
-whatever the shape, and every run is visited once.
+that is not border and does not look filled already: what looks filled stops it. (It does not look
+at the first and the last column of the viewport: `Page.flood` sees to that.) The original keeps its
+seeds on a short stack and loses what does not fit; here nothing is lost, whatever the shape, and
+every run is visited once.
 """
 
 from bgi.raster.polygons import Rows

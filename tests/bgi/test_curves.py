@@ -2,6 +2,7 @@
 
 import pytest
 
+import bgi
 from bgi.kernel.state import KERNEL
 from bgi.raster import ellipses as curves
 from bgi.settings import arccoordstype
@@ -25,12 +26,35 @@ def test_getarccoords(new_screen, mode, arc, ends):
     screen = new_screen(9, mode)
     screen.arc(*arc)
     assert screen.getarccoords() == arccoordstype(0, 0, *ends)
-    screen.circle(5, 5, 5)
-    screen.graphdefaults()
-    assert screen.getarccoords() == arccoordstype(0, 0, *ends)
     screen.setviewport(100, 100, 200, 200, 1)
     screen.ellipse(7, 8, 0, 90, 10, 5)
     assert screen.getarccoords() == arccoordstype(7, 8, 17, 8, 7, 3)
+
+
+def test_every_curve_moves_the_centre_and_thin_ones_the_ends(vga):
+    vga.arc(0, 0, 0, 90, 10)
+    vga.arc(20, 30, 45, 45, 50)
+    assert vga.getarccoords() == arccoordstype(20, 30, 30, 30, 20, 20)
+    vga.arc(5, 5, -1, 90, 50)
+    assert vga.getarccoords().x == 20
+    vga.fillellipse(50, 50, 6, 7)
+    assert vga.getarccoords() == arccoordstype(50, 50, 56, 50, 56, 50)
+    vga.circle([1, 2], 50, 6)
+    assert vga.getarccoords() == arccoordstype(2, 50, 8, 50, 8, 50)
+    vga.setlinestyle(0, 0, 3)
+    vga.circle(70, 70, 30)
+    assert vga.getarccoords() == arccoordstype(70, 70, 76, 70, 76, 70)
+    vga.pieslice(0, 0, 90, 0, 20)
+    assert vga.getarccoords() == arccoordstype(0, 0, 20, 0, 0, -20)
+
+
+def test_the_ends_outlive_the_mode():
+    bgi.initgraph()
+    bgi.arc(0, 0, 0, 90, 10)
+    bgi.graphdefaults()
+    bgi.closegraph()
+    bgi.initgraph()
+    assert bgi.getarccoords() == arccoordstype(0, 0, 10, 0, 0, -10)
 
 
 def test_ellipse_of_the_check_values():
@@ -128,6 +152,33 @@ def test_aspect_ratio(vga):
 def test_pieslice_of_no_angle_is_a_dot(vga):
     vga.pieslice(100, 100, 45, 45, 60)
     assert points(vga) == {(100, 100)}
+
+
+@pytest.mark.parametrize("angle, same", [(-90, 286), (-211, 165), (450, 90), (720, 0)])
+def test_angles_of_a_slice_are_unsigned(new_screen, angle, same):
+    one, other = new_screen(), new_screen()
+    one.pieslice(100, 100, angle, 200, 60)
+    other.pieslice(100, 100, same, 200, 60)
+    assert points(one) == points(other)
+
+
+@pytest.mark.parametrize(
+    "angles, same",
+    [
+        ((-90, 0), (0, 360)),  # so the original: as unsigned numbers the start is not below the end
+        ((-10, 10), (0, 360)),
+        ((-400, -100), (320, 620)),
+        ((0, 720), (0, 360)),  # too many corners for the original, which drew nothing
+        ((86, -395), (86, 325)),
+        ((45, 45), (0, 360)),
+    ],
+)
+def test_angles_of_a_thick_arc(new_screen, angles, same):
+    one, other = new_screen(), new_screen()
+    for screen, (start, end) in ((one, angles), (other, same)):
+        screen.setlinestyle(0, 0, 3)
+        screen.arc(100, 100, start, end, 60)
+    assert points(one) == points(other)
 
 
 def test_pieslice_goes_from_the_lesser_angle(new_screen):

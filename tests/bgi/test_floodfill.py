@@ -76,11 +76,20 @@ def test_filled_areas_stop_it(vga):
 
 
 def test_a_comb_and_a_maze(vga):
-    vga.line(range(1, 639, 2), 0, range(1, 639, 2), 478)
+    vga.line(range(2, 638, 2), 0, range(2, 638, 2), 478)
     vga.setfillstyle(1, 2)
-    vga.floodfill(0, 0, 15)
-    assert (vga.page.array[:479, ::2] == 2).all()
-    assert (vga.page.array[:, ::2][479] == 2).all()
+    vga.floodfill(1, 0, 15)
+    assert (vga.page.array[:479, 1::2] == 2).all()
+    assert (vga.page.array[479] == 2).all()
+
+
+def test_nothing_is_entered_by_the_first_or_last_column_alone(vga):
+    """So the original: seen where a line met the edge."""
+    vga.line([0, 639], 6, [6, 633], 0)
+    vga.setfillstyle(1, 2)
+    vga.floodfill([1, 638], 1, 15)
+    assert [vga.getpixel(x, 4) for x in (0, 1, 638, 639)] == [2, 2, 2, 2]
+    assert vga.getpixel(0, 5) == vga.getpixel(639, 5) == 0
 
 
 @pytest.mark.parametrize("pattern", range(12))
