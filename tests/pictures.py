@@ -17,6 +17,12 @@ def read_indices(path):
     return pygame.surfarray.array2d(pygame.image.load(path)).T.astype(np.uint8)
 
 
+def points(screen):
+    """The pixels that are set on the active page, as a set of (x, y)."""
+    ys, xs = screen.page.array.nonzero()
+    return set(zip(xs.tolist(), ys.tolist(), strict=True))
+
+
 def assert_same(got, expected, name):
     """Fail unless two arrays of indices are equal; then write got, expected and difference."""
     assert got.shape == expected.shape

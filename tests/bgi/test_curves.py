@@ -1,4 +1,4 @@
-"""Arcs, ellipses, pies: the check values of the manual, and their edge cases."""
+"""Circles, arcs, ellipses, pies: the check values of the manual, and their edge cases."""
 
 import pytest
 
@@ -6,12 +6,55 @@ import bgi
 from bgi.kernel.state import KERNEL
 from bgi.raster import ellipses as curves
 from bgi.settings import arccoordstype
+from tests.pictures import points
 
 
-def points(screen):
-    """The pixels set, as a set of (x, y)."""
-    ys, xs = screen.page.array.nonzero()
-    return set(zip(xs.tolist(), ys.tolist(), strict=True))
+@pytest.mark.parametrize(
+    "radius, quadrant",
+    [
+        (5, [(0, 5), (1, 5), (2, 5), (3, 4), (4, 3), (5, 2), (5, 1), (5, 0)]),
+        (1, [(0, 1), (1, 0)]),
+        (0, [(0, 1), (1, 0)]),
+    ],
+)
+def test_circle(vga, radius, quadrant):
+    vga.circle(20, 20, radius)
+    assert points(vga) == {
+        (20 + sx * x, 20 + sy * y) for x, y in quadrant for sx in (1, -1) for sy in (1, -1)
+    }
+
+
+def test_circle_is_flattened_where_pixels_are_tall(new_screen):
+    screen = new_screen(9, 1)
+    screen.circle(20, 20, 10)
+    quadrant = [
+        (0, 7),
+        (1, 7),
+        (2, 7),
+        (3, 7),
+        (4, 6),
+        (5, 6),
+        (6, 6),
+        (7, 5),
+        (8, 4),
+        (9, 3),
+        (10, 2),
+        (10, 1),
+        (10, 0),
+    ]
+    assert points(screen) == {
+        (20 + sx * x, 20 + sy * y) for x, y in quadrant for sx in (1, -1) for sy in (1, -1)
+    }
+
+
+def test_circle_that_overflowed_the_original_draws_nothing(vga):
+    vga.circle(0, 6553, 6553)
+    assert points(vga)
+    vga.cleardevice()
+    vga.circle(0, 6554, 6554)
+    vga.circle(100, 100, -5)
+    vga.circle(100, 100, 10**30)
+    assert not points(vga)
 
 
 @pytest.mark.parametrize(
@@ -197,11 +240,3 @@ def test_negative_and_overflowing_radii_draw_nothing(vga):
         vga.fillellipse(100, 100, 5, radius)
         vga.sector(100, 100, 0, 90, 5, radius)
     assert not points(vga)
-
-
-def test_bar3d(vga):
-    vga.setfillstyle(1, 2)
-    vga.bar3d(10, 40, 20, 60, 15, 1)
-    assert vga.getpixel(25, 31) == 0  # neither side nor top is filled
-    assert {(35, 49), (35, 29), (25, 29)} <= points(vga)  # 15 to the right, 11 up
-    assert vga.getpixel(15, 50) == 2

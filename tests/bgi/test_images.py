@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import bgi
-from bgi import Image
+from bgi import Image, current
 from bgi.kernel.state import KERNEL
 from tests.pictures import read_indices
 
@@ -195,3 +195,21 @@ def test_rgb_colours_have_no_place_in_borlands_layout():
     bgi.putpixel(3, 5, bgi.COLOR(1, 2, 3))
     with pytest.raises(ValueError, match="RGB colours"):
         bytes(bgi.getimage(0, 0, 7, 7))
+
+
+def test_writeimagefile(tmp_path):
+    bgi.initgraph()
+    bgi.setrgbpalette(20, 1, 2, 3)
+    bgi.putpixel(np.arange(16), 0, np.arange(16))
+    bgi.writeimagefile(tmp_path / "all.png")
+    bgi.writeimagefile(str(tmp_path / "part.png"), 0, 0, 15, 0)
+    assert (read_indices(tmp_path / "all.png") == current.screen.page.array).all()
+    assert read_indices(tmp_path / "part.png").tolist() == [list(range(16))]
+    bgi.writeimagefile(tmp_path / "edge.png", -5, 470, 10**9, 10**9)
+    assert read_indices(tmp_path / "edge.png").shape == (10, 640)
+    with pytest.raises(ValueError, match="nothing of"):
+        bgi.writeimagefile(tmp_path / "none.png", 700, 0, 800, 10)
+    with pytest.raises(OSError):
+        bgi.writeimagefile(tmp_path / "no" / "folder.png")
+    (tmp_path / "shut").mkdir()
+    assert not (tmp_path / "none.png").exists()

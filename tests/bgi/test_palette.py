@@ -24,6 +24,22 @@ def test_default_palette():
     assert look(bgi.LIGHTCYAN) == (0x55, 0xFF, 0xFF)
 
 
+@pytest.mark.parametrize(
+    "driver, mode, size, first",
+    [
+        (bgi.VGA, bgi.VGAHI, 16, [0, 1, 2, 3]),
+        (bgi.EGA64, bgi.EGA64HI, 4, [0, 1, 4, 7]),
+        (bgi.CGA, bgi.CGAC1, 1, [0, 11, 13, 15]),
+        (bgi.IBM8514, bgi.IBM8514HI, 256, [0, 1, 2, 3]),
+    ],
+)
+def test_sizes_of_palettes(driver, mode, size, first):
+    bgi.initgraph(driver, mode)
+    assert bgi.getpalettesize() == bgi.getpalette().size == size
+    bgi.setpalette(0, 5)
+    assert bgi.getdefaultpalette().colors[:4] == first
+
+
 def test_ega_values():
     """The check values of the hardware: bits r g b R G B."""
     for value, rgb in {20: 0xAA5500, 38: 0xFFAA00, 9: 0x0000FF, 56: 0x555555}.items():

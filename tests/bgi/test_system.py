@@ -1,10 +1,8 @@
 """Opening, changing and closing graphics; errors; pages; time and keys."""
 
-import inspect
 import subprocess
 import sys
 
-import numpy as np
 import pytest
 
 import bgi
@@ -126,45 +124,6 @@ def test_error_messages_are_borlands():
     assert bgi.graphresult() == 0
 
 
-def test_graphdefaults_keeps_the_picture():
-    bgi.initgraph()
-    bgi.setcolor(3)
-    bgi.setpalette(1, 20)
-    bgi.setviewport(5, 5, 50, 50, 1)
-    bgi.putpixel(0, 0, 7)
-    bgi.graphdefaults()
-    assert (bgi.getcolor(), bgi.getpixel(5, 5), bgi.getpalette().colors[1]) == (15, 7, 1)
-
-
-def test_pages():
-    bgi.initgraph()
-    card = current.screen.card
-    bgi.putpixel(3, 3, 4)
-    bgi.swapbuffers()
-    assert card.visible == 0
-    assert bgi.getpixel(3, 3) == 0
-    bgi.putpixel(3, 3, 9)
-    bgi.swapbuffers()
-    assert card.visible == 1
-    assert bgi.getpixel(3, 3) == 4
-    bgi.setvisualpage(0)
-    assert card.visible == 0
-    bgi.setactivepage(1)
-    assert bgi.getpixel(3, 3) == 9
-    for unknown in (-1, 2, 10**20):
-        bgi.setactivepage(unknown)
-        bgi.setvisualpage(unknown)
-    assert (card.visible, bgi.getpixel(3, 3)) == (0, 9)
-
-
-def test_the_viewport_holds_on_every_page():
-    bgi.initgraph()
-    bgi.setviewport(10, 10, 20, 20, 1)
-    bgi.setactivepage(1)
-    bgi.bar(-100, -100, 100, 100)
-    assert current.screen.page.array.sum() == 11 * 11 * 15
-
-
 def test_keys_and_time(monkeypatch):
     monkeypatch.setenv("BGI_KEYS", "a Up Esc")
     bgi.initgraph()
@@ -190,28 +149,3 @@ def test_the_prompt_needs_no_main_guard():
     script = "from bgi import *; initgraph(); circle(320, 240, 100); print(getpixel(420, 240))"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
     assert (done.stdout, done.stderr, done.returncode) == ("15\n", "", 0)
-
-
-def test_writeimagefile(tmp_path):
-    from tests.pictures import read_indices
-
-    bgi.initgraph()
-    bgi.setrgbpalette(20, 1, 2, 3)
-    bgi.putpixel(np.arange(16), 0, np.arange(16))
-    bgi.writeimagefile(tmp_path / "all.png")
-    bgi.writeimagefile(str(tmp_path / "part.png"), 0, 0, 15, 0)
-    assert (read_indices(tmp_path / "all.png") == current.screen.page.array).all()
-    assert read_indices(tmp_path / "part.png").tolist() == [list(range(16))]
-    bgi.writeimagefile(tmp_path / "edge.png", -5, 470, 10**9, 10**9)
-    assert read_indices(tmp_path / "edge.png").shape == (10, 640)
-    with pytest.raises(ValueError, match="nothing of"):
-        bgi.writeimagefile(tmp_path / "none.png", 700, 0, 800, 10)
-    with pytest.raises(OSError):
-        bgi.writeimagefile(tmp_path / "no" / "folder.png")
-    (tmp_path / "shut").mkdir()
-    assert not (tmp_path / "none.png").exists()
-
-
-def test_signatures_are_those_of_the_manual():
-    names = list(inspect.signature(bgi.initgraph).parameters)
-    assert names == ["gd", "gm", "path"]

@@ -121,6 +121,13 @@ def test_double_buffering():
     assert (bgi.getactivepage(), bgi.getvisualpage()) == (0, 1)
 
 
+def test_the_largest_window():
+    largest = bgi.getmaxwidth(), bgi.getmaxheight()
+    assert largest == (4096, 4096)
+    with pytest.raises(ValueError, match=r"1\.\.4096 pixels"):
+        bgi.initwindow(4097, 1)
+
+
 @pytest.mark.parametrize("size", [(0, 5), (5, -1), (5000, 5), ("5", 5), (None, 5)])
 def test_impossible_windows(size):
     with pytest.raises((ValueError, TypeError)):
