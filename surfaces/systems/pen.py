@@ -101,10 +101,14 @@ class Pen:
     @property
     def aspect(self) -> float:
         """The width of a pixel divided by its height: 1 on a VGA, less on older cards."""
+        if self.system is not bgi:
+            return float(getattr(self.system, "aspect", 1.0))
+        across, down = bgi.getaspectratio()
+        if across == down:  # as in every window
+            return 1.0
         # Whatever its mode, a PC's screen is four units wide and three high.
         width, height = self._whole
-        usual = 4 * height / (3 * width) if self.system is bgi else 1.0
-        return float(getattr(self.system, "aspect", usual))
+        return 4 * height / (3 * width)
 
     @property
     def color(self) -> int:

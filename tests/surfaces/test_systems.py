@@ -184,6 +184,8 @@ def test_what_a_pen_knows_of_its_system() -> None:
         False,
     )
     assert (pen.aspect, pen.character) == (pytest.approx(4 * 350 / (3 * 640)), 8)
+    bgi.initwindow(800, 300)
+    assert Pen().aspect == 1  # its pixels are square, whatever its shape
     page = Pen(Text())
     assert (page.arrays, page.aspect, page.character, page.color) == (False, 0.5, 1, 15)
     assert Pen(Dots(4, 4, 4)).color == 3
