@@ -16,6 +16,8 @@ Room = tuple[float, float, float, float]
 
 # What stays free around the picture, as a part of the shorter side: 24 pixels of 480.
 MARGIN = 0.05
+FLAT = 1e-12
+"""An arrow as short as this is a rounding error."""
 
 
 def fit(
@@ -59,7 +61,9 @@ def fit(
         unit = np.inf
     else:
         base = 2 * (ex + ey)
-        unit = min(_ratio(wide, base[0]), _ratio(high * (1 - zfrac), base[1]))
+        # Seen from straight above z has no height on the screen, and needs no part of it.
+        level = high * (1 - zfrac) if ez[1] > FLAT else high
+        unit = min(_ratio(wide, base[0]), _ratio(level, base[1]))
         size = np.array((2, 2, high * zfrac / unit))
     whole = size @ np.array((ex, ey, ez))
     unit = min(unit, _ratio(wide, whole[0]), _ratio(high, whole[1]))

@@ -6,6 +6,9 @@
     military       the floor as on a map, turned by 45 degrees, z up        1 : 1 : 1
     isometric      seen straight along the diagonal of a cube               1 : 1 : 1
     dimetric       the engineer's: x short and steep, y nearly level        1/2 : 1 : 1
+    top            as on a map: x right, y up, z toward the viewer          1 : 1 : 0
+    front          from a little above: x right, y away                     1 : 1/4 : 0.97
+    side           the same from the right: y right, x toward the viewer    1/4 : 1 : 0.97
 
 The first three are oblique: the lines of sight meet the paper aslant, so one face of a cube keeps
 its shape, and a turning body seems to breathe.  The others are orthographic, as a camera far away
@@ -38,6 +41,9 @@ PROJECTIONS: dict[str, Projection] = {
     "isometric": orthographic(pi / 4, atan(HALF)),
     # The two angles for which x is drawn half as long as y and z (ISO 5456-3).
     "dimetric": orthographic(asin(sqrt(1 / 8)), asin(1 / 3)),
+    "top": orthographic(-pi / 2, pi / 2),
+    "front": orthographic(-pi / 2, asin(1 / 4)),
+    "side": orthographic(0.0, asin(1 / 4)),
 }
 
 

@@ -86,6 +86,10 @@ def test_lengths_of_the_presets() -> None:
     assert lengths["isometric"] == [short] * 3
     x, y, z = lengths["dimetric"]
     assert (2 * x, y) == pytest.approx((z, z), abs=1e-5)
+    assert lengths["top"] == [1, 1, 0]
+    long = round(sqrt(15) / 4, 6)
+    assert lengths["front"] == [1, 0.25, long]
+    assert lengths["side"] == [0.25, 1, long]
     assert pytest.approx(np.array(((-sin(pi / 4), cos(pi / 4)), (1, 0), (0, -1)))) == Mapping().M32
     assert orthographic(pi / 4, atan(sqrt(0.5))) == PROJECTIONS["isometric"]
 
