@@ -17,6 +17,7 @@ surface as an array of points), `visible` (what is seen of it), `systems` (what 
 """
 
 from surfaces.animation import PillowMissing, save_gif
+from surfaces.explorer import Explorer, explore
 from surfaces.formulas import FormulaError, formula
 from surfaces.modes import MODES
 from surfaces.plot import Plot, parametric, surface
@@ -54,6 +55,8 @@ __all__ = [
     "translation", "scaling", "rotation", "affine", "compose", "power", "powers", "apply",
     # What to draw on, besides the screen of the BGI
     "Svg", "Text", "System", "Pen",
+    # A window to walk round a surface in
+    "explore", "Explorer",
     # Films
     "save_gif", "PillowMissing",
 ]

@@ -143,7 +143,7 @@ class TestFolder:
     def test_demos_use_public_names_only(self, demo):
         modules = re.findall(r"^(?:from|import) ([\w.]+)", demo.file.read_text("utf-8"), re.M)
         private = [module for module in modules if re.match(r"(bgi|surfaces)\.", module)]
-        assert not private or demo.name == "explore"
+        assert not private
 
 
 class TestWaysToRun:

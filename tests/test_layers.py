@@ -89,6 +89,8 @@ LAYERS = [
     "surfaces.look",
     "surfaces.modes",
     "surfaces.plot",
+    "surfaces.explorer.",
+    "surfaces.command.",
     "surfaces",
 ]
 
@@ -135,14 +137,25 @@ def test_imports_point_up(name, path):
         assert floor(imported) <= floor(name), f"{name} may not import {imported}"
 
 
-def test_surfaces_meets_bgi_in_one_file():
-    """The plotter knows the BGI through its pen only; the command opens the screen for it."""
+PROGRAMS = ("surfaces.explorer.", "surfaces.command.", "surfaces.__main__")
+"""What opens screens, asks for keys and looks at the mouse, and draws by `surface()`."""
+
+
+def test_the_plotter_meets_bgi_in_one_file():
+    """The plotter knows the BGI through its pen only; the explorer and the command are programs."""
     users = [
         name
         for name, path in MODULES
         if name.startswith("surfaces") and any(i.split(".")[0] == "bgi" for i in imports(path))
     ]
-    assert users == ["surfaces.__main__", "surfaces.systems.pen"]
+    assert [name for name in users if not name.startswith(PROGRAMS)] == ["surfaces.systems.pen"]
+
+
+def test_the_plotter_knows_no_program():
+    """So it can draw on any system, also where the BGI's screens are not wanted."""
+    for name, path in MODULES:
+        if name.startswith("surfaces.") and not f"{name}.".startswith(PROGRAMS):
+            assert not any(f"{i}.".startswith(PROGRAMS) for i in imports(path)), name
 
 
 def test_raster_is_pure():

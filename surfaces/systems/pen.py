@@ -108,7 +108,7 @@ class Pen:
             return 1.0
         # Whatever its mode, a PC's screen is four units wide and three high.
         width, height = self._whole
-        return 4 * height / (3 * width)
+        return float(4 * height / (3 * width))
 
     @property
     def color(self) -> int:

@@ -9,12 +9,17 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
+import pygame
 import pytest
 
 import bgi
 from surfaces import rotation, surface
-from surfaces.__main__ import FRAME, MODE, main
+from surfaces.__main__ import main
 from surfaces.animation import PillowMissing, progress, save_gif
+from surfaces.command.output import MILLISECONDS
+from surfaces.command.parser import FILES
+from surfaces.explorer import EXAMPLES
+from surfaces.explorer.loop import SMALLEST
 from surfaces.formulas import formula
 
 ROOT = Path(__file__).parents[2]
@@ -40,7 +45,7 @@ def test_a_png_is_the_picture_of_the_library(
         0,
         "",
     )
-    bgi.initgraph(*MODE)
+    bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO)
     bgi.setcolor(bgi.YELLOW)
     turn = rotation("z", math.radians(30))
     surface(formula("x*y"), (-1, 2), (-3, 3), 40, transform=turn, title="z = x*y")
@@ -49,13 +54,26 @@ def test_a_png_is_the_picture_of_the_library(
 
 
 OPTIONS = (
-    "--mode mesh",
-    "--mode waterfall --rho-z 0.5 --theta 30",
-    "--projection isometric --axes --colorbar",
-    "--color light --ramp grey --contours 5",
+    "--x -2*pi 2*pi",
+    "--y 0 e",
     "--z -1 1",
-    "--x -2*pi 2*pi --y 0 e",
+    "-n 20",
+    "--view isometric",
+    "--projection isometric",
     "--turn -90",
+    "--tilt 20",
+    "--theta 30",
+    "--rho-z 0.5",
+    *(f"--mode {mode}" for mode in ("mesh", "fill+mesh", "waterfall", "wire", "facets")),
+    "--color light",
+    "--ramp grey",
+    "--dither",
+    "--contours 5",
+    "--floor 5",
+    "--box",
+    "--axes",
+    "--colorbar",
+    "--title Parabola",
 )
 
 
@@ -66,7 +84,31 @@ def test_every_option_changes_the_picture(
     plain, changed = tmp_path / "plain.png", tmp_path / "changed.png"
     assert run(capsys, "x+y*y", "-n", "30", "-o", str(plain)) == (0, "")
     assert run(capsys, "x+y*y", "-n", "30", "-o", str(changed), *options.split()) == (0, "")
-    assert plain.read_bytes() != changed.read_bytes()
+    assert bytes(pixels(plain)) != bytes(pixels(changed))
+
+
+def pixels(file: Path) -> np.ndarray:
+    """The colors of a picture that was written, (height, width, 3)."""
+    return pygame.surfarray.array3d(pygame.image.load(file)).swapaxes(0, 1)
+
+
+def test_every_option_is_tried(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    shown = set(re.findall(r"^  (--?[a-z-]+)", capsys.readouterr().out, re.MULTILINE))
+    tried = {option.split()[0] for option in OPTIONS}
+    assert shown - tried == {"-h", "-o", "--size", "--frames", "--monitor"}
+    assert tried - shown == {"--projection"}  # the old name of --view
+
+
+@pytest.mark.parametrize("size", [(320, 200), (640, 480), (800, 300), (1024, 768)])
+def test_the_picture_is_as_large_as_it_should_be(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], size: tuple[int, int]
+) -> None:
+    file = tmp_path / "a.png"
+    width, height = map(str, size)
+    assert run(capsys, "x*y", "--size", width, height, "-o", str(file)) == (0, "")
+    assert pixels(file).shape == (size[1], size[0], 3)
 
 
 def test_a_formula_may_begin_with_a_minus(
@@ -85,7 +127,48 @@ def test_svg_and_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
         assert "z = x < y" in texts
     text = tmp_path / "a.txt"
     assert run(capsys, "x*x", "-o", str(text)) == (0, "")
-    assert text.read_text("utf-8").splitlines()[1].strip() == "z = x*x"
+    lines = text.read_text("utf-8").splitlines()
+    assert (lines[1].strip(), len(lines)) == ("z = x*x", 40)
+
+
+def test_the_size_of_svg_and_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    svg, text = tmp_path / "a.svg", tmp_path / "a.txt"
+    assert run(capsys, "x", "--size", "300", "200", "-n", "9", "-o", str(svg)) == (0, "")
+    assert ElementTree.parse(svg).getroot().get("viewBox") == "-0.5 -0.5 300 200"
+    assert run(capsys, "x", "--size", "50", "20", "-o", str(text)) == (0, "")
+    lines = text.read_text("utf-8").splitlines()
+    assert len(lines) == 20
+    assert max(map(len, lines)) <= 50
+
+
+def test_without_a_formula_there_is_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = tmp_path / "a.txt"
+    assert run(capsys, "-o", str(text)) == (0, "")
+    assert text.read_text("utf-8").splitlines()[1].strip() == f"z = {EXAMPLES[0]}"
+
+
+def test_a_square_is_square_in_a_window_of_any_shape(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """From above, the plane from -1 to 1 by -1 to 1."""
+    file = tmp_path / "a.png"
+    command = "0 --x -1 1 --y -1 1 --view top --title . --size 800 300 -o"
+    assert run(capsys, *command.split(), str(file)) == (0, "")
+    shown = pixels(file)[20:].any(axis=2)  # below the title
+    width, height = (np.flatnonzero(shown.any(axis=axis)).size for axis in (0, 1))
+    assert abs(width - height) <= 1
+
+
+@pytest.mark.parametrize("size", [(640, 480), (500, 400)])
+def test_dithering_takes_sixteen_colors(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], size: tuple[int, int]
+) -> None:
+    file = tmp_path / "a.png"
+    arguments = ("x*y", "--dither", "--size", *map(str, size), "-o", str(file))
+    assert run(capsys, *arguments) == (0, "")
+    colors = np.unique(pixels(file).reshape(-1, 3), axis=0)
+    assert 6 < len(colors) <= 16
+    assert np.isin(colors, (0, 85, 170, 255)).all()
 
 
 def test_a_gif_is_a_full_turn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -97,7 +180,7 @@ def test_a_gif_is_a_full_turn(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert [bar.split()[-1] for bar in bars] == ["1/4", "2/4", "3/4", "4/4"]
     assert [bar.count("#") for bar in bars] == [10, 20, 30, 40]
     with image.open(file) as gif:
-        assert (gif.n_frames, gif.info["duration"], gif.info["loop"]) == (4, FRAME, 0)
+        assert (gif.n_frames, gif.info["duration"], gif.info["loop"]) == (4, MILLISECONDS, 0)
         pictures = []
         for number in range(4):
             gif.seek(number)
@@ -162,10 +245,27 @@ def test_the_caret_points_at_the_word(capsys: pytest.CaptureFixture[str]) -> Non
         ("x --mode blue -o a.png", "blue"),
         ("x --ramp blue -o a.png", "blue"),
         ("x --projection blue -o a.png", "blue"),
-        ("x -o a.doc", "a.doc must be a file .png, .gif (a full turn), .svg or .txt"),
+        ("x -o a.doc", "a.doc must be a file .png, .gif, .svg, .txt"),
         ("x -o a", "a must be a file .png"),
         ("x y -o a.png", "unrecognized arguments: y"),
-        ("", "FORMULA"),
+        ("x --view blue -o a.png", "blue"),
+        ("x --view isometric --theta 30 -o a.png", "--theta has no use here: only the paper's"),
+        ("x --view cabinet --rho-z 0.5 -o a.png", "--rho-z has no use here"),
+        ("x --frames 9 -o a.png", "--frames has no use here: only a .gif has several pictures"),
+        ("x --frames 9", "--frames has no use here"),
+        ("x --monitor none -o a.png", "--monitor has no use here: a file is written without one"),
+        ("x --dither -o a.svg", "--dither has no use here: only a screen has dots to mix"),
+        ("x --ramp heat -o a.txt", "--ramp has no use here: characters have no colors"),
+        ("x --monitor paper", "paper"),
+        ("x --size 640 -o a.png", "expected 2 arguments"),
+        ("x --size 0 480 -o a.png", "0 is no whole number from 1 to 4096"),
+        ("x --size 640 5000 -o a.png", "5000 is no whole number from 1 to 4096"),
+        ("x --size 8 8 -o a.png", "a screen of 8 x 8 pixels has no room for the picture"),
+        ("x --size 320 200", "a window to explore in must be at least 480 x 240 pixels"),
+        ("x --floor 51 -o a.png", "51 is no whole number from 0 to 50"),
+        ("x --tilt steep -o a.png", "unknown name 'steep'"),
+        ("x --x 3 1", "x must be (a, b) with finite a < b"),
+        ("log(-1-r)", "no finite value"),
     ],
 )
 def test_wrong_use_is_one_clear_line(
@@ -200,22 +300,57 @@ def test_a_file_that_cannot_be_written(
     if ending == "gif":
         pytest.importorskip("PIL")
     file = tmp_path / "nowhere" / f"a.{ending}"
-    code, said = run(capsys, "x", "-n", "5", "--frames", "2", "-o", str(file))
+    frames = ("--frames", "2") if ending == "gif" else ()
+    code, said = run(capsys, "x", "-n", "5", *frames, "-o", str(file))
     assert code == 1
     assert re.fullmatch(r"surfaces: .*nowhere.*\n", said)
 
 
-def test_the_arrows_turn_it_in_the_window(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    turned = []
-    monkeypatch.setattr(
-        "surfaces.__main__.surface", lambda f, transform, **rest: turned.append(transform)
+def window(monkeypatch: pytest.MonkeyPatch, file: Path, keys: str, *arguments: str) -> np.ndarray:
+    """What a window shows after those keys and before Esc."""
+    monkeypatch.setenv("BGI_SHOT", str(file))
+    monkeypatch.setenv("BGI_KEYS", f"{keys} Esc")
+    assert main(arguments) == 0
+    return pixels(file)
+
+
+def test_the_window_is_the_explorer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What keys do there is tested in test_explorer.py."""
+    plain, turned, unknown, back, given = (
+        window(monkeypatch, tmp_path / "a.png", *keys)
+        for keys in (
+            ("", "x"),
+            ("Right Right Up", "x"),
+            ("j F5 Del ~", "x"),
+            ("Right Left", "x"),
+            ("", "x", "--turn", "10", "--tilt", "5"),
+        )
     )
-    monkeypatch.setenv("BGI_KEYS", "Right Right Left Up q")
-    assert run(capsys, "x", "--turn", "10") == (0, "")
-    expected = [rotation("z", np.radians(angle)) for angle in (10, 15, 20, 15, 15)]
-    assert np.allclose(turned, expected, rtol=0, atol=1e-15)
+    assert (plain != turned).any()
+    assert (plain == unknown).all()
+    assert (plain == back).all()
+    assert (turned == given).all()
+
+
+@pytest.mark.parametrize("option", [option for option in OPTIONS if "dither" not in option])
+def test_every_option_changes_the_window(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, option: str
+) -> None:
+    plain = window(monkeypatch, tmp_path / "a.png", "", "x+y*y")
+    changed = window(monkeypatch, tmp_path / "a.png", "", "x+y*y", *option.split())
+    assert (plain[:400] != changed[:400]).any()
+
+
+def test_the_size_of_the_window(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for size in (SMALLEST, (640, 480), (900, 500)):
+        shown = window(monkeypatch, tmp_path / "a.png", "", "x", "--size", *map(str, size))
+        assert shown.shape == (size[1], size[0], 3)
+
+
+def test_a_monitor_may_be_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("BGI_MONITOR")
+    monkeypatch.setenv("BGI_KEYS", "Esc")
+    assert main(["x", "--monitor", "none"]) == 0
 
 
 @pytest.mark.parametrize(
@@ -230,7 +365,7 @@ def test_ends_quietly_when_the_user_ends_it(
     def interrupted() -> int:
         raise error
 
-    monkeypatch.setattr("surfaces.__main__.getch", interrupted)
+    monkeypatch.setattr("surfaces.explorer.keys.getch", interrupted)
     assert run(capsys, "x") == (code, "")
 
 
@@ -253,5 +388,14 @@ def test_help_names_everything(capsys: pytest.CaptureFixture[str]) -> None:
         main(["--help"])
     assert exit.value.code == 0
     text = capsys.readouterr().out
-    for word in ("--rho-z", "atan2", "theta", "waterfall", "isometric", "heat", "-o turning.gif"):
+    for word in (
+        "--rho-z",
+        "atan2",
+        "theta",
+        "waterfall",
+        "isometric",
+        "heat",
+        "-o turning.gif",
+        *FILES,
+    ):
         assert word in text
