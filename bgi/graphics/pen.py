@@ -89,7 +89,7 @@ class Pen(State):
         """Many lines between absolute points, each in its colour."""
         if self._thick:
             segments, colors = lines.strands_many(segments), np.repeat(colors, 3)
-        self.page.lines(segments, colors, self._pattern, self._xor)
+        self.page.line_many(segments, colors, self._pattern, self._xor)
 
     # Areas
 

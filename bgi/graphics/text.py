@@ -164,7 +164,7 @@ class Text(State):
             return
         x1, y1, x2, y2 = (strokes + np.array([x + dx, y + dy] * 2)).T
         colors = np.broadcast_to(self.settings.color, len(strokes))
-        self.page.lines((x1, y1, x2, y2), colors, SOLID_MASK, self._xor)
+        self.page.line_many((x1, y1, x2, y2), colors, SOLID_MASK, self._xor)
 
 
 def _share(length: int, justification: int, whole_at: int) -> int:

@@ -29,11 +29,11 @@ _PIXEL: dict[int, np.dtype[Any]] = {1: np.dtype(np.uint8), 4: np.dtype("<u4")}
 _FORMAT: dict[int, Literal["P", "RGBX"]] = {1: "P", 4: "RGBX"}
 
 FAR = 1 << 40
-"""A centre so far away shows nothing of a curve, and stays an int64 with its offsets."""
+"""Nothing of a curve or text so far away can be seen; below it int64 holds its points."""
 
 
 class Page:
-    """Pixels (palette indices) of one screenful, and the box that drawing is clipped to."""
+    """The pixels of one screen, and the box that drawing is clipped to."""
 
     def __init__(self, memory: memoryview, width: int, height: int, pixel_bytes: int = 1) -> None:
         """Lay a page over `memory`, rows from top to bottom.
@@ -81,7 +81,7 @@ class Page:
         return values
 
     def put_many(self, x: Ints, y: Ints, values: Ints | int) -> None:
-        """`put` for arrays, in order: where pixels coincide the last one stays."""
+        """`put` for arrays, in order: of two at the same place the later one stays."""
         if len(x) == 0:
             return
         left, top, right, bottom = self.box
@@ -107,7 +107,8 @@ class Page:
             if visible is None:
                 return
             x1, y1, x2, y2 = visible
-        # From its lower end to its upper one, pygame's line sets the very pixels of the driver's.
+        # From its lower end to its upper one, pygame's line (Bresenham's, too) sets exactly the
+        # driver's pixels: ties step to the same side.
         if y1 < y2:
             x1, y1, x2, y2 = x2, y2, x1, y1
         pygame.draw.line(self._surface, color, (x1, y1), (x2, y2))
@@ -120,18 +121,18 @@ class Page:
         place = lines.places(visible, self.width)
         if pattern is not SOLID_MASK:
             place = place[pattern[: len(place)]]
-        if xor:  # no pixel comes twice in one line
+        if xor:  # no pixel occurs twice in one line
             self.flat[place] ^= color
         else:
             self.flat[place] = color
 
-    def lines(self, segments: Segments, colors: Ints, pattern: Mask, xor: bool) -> None:
+    def line_many(self, segments: Segments, colors: Ints, pattern: Mask, xor: bool) -> None:
         """Thin lines one after another, each in its colour."""
-        for place, line in self._trace(segments, pattern):
+        for place, which in self._trace(segments, pattern):
             if xor:  # where lines cross, both count
-                np.bitwise_xor.at(self.flat, place, colors[line].astype(self.flat.dtype))
+                np.bitwise_xor.at(self.flat, place, colors[which].astype(self.flat.dtype))
             else:
-                self.flat[place] = colors[line]
+                self.flat[place] = colors[which]
 
     def _trace(self, segments: Segments, pattern: Mask) -> Iterator[tuple[Ints, Ints]]:
         """The pixels of many lines, clipped: their places, and which line each belongs to."""
@@ -139,12 +140,12 @@ class Page:
         x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
         lengths = np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1
         for part in lines.grouped(lengths, lines.CHUNK):
-            x, y, step, line = lines.trace_many((x1[part], y1[part], x2[part], y2[part]))
+            x, y, step, which = lines.trace_many((x1[part], y1[part], x2[part], y2[part]))
             place = y * self.width + x
             if pattern is not SOLID_MASK:
                 drawn = pattern[step]
-                place, line = place[drawn], line[drawn]
-            yield place, kept[part][line]
+                place, which = place[drawn], which[drawn]
+            yield place, kept[part][which]
 
     # Boxes
 
@@ -171,10 +172,10 @@ class Page:
             box = (left, top, right - left + 1, bottom - top + 1)
             pygame.draw.rect(self._surface, color, box, 1)
 
-    def differing(self, color: int, rows: bytes, area: bytearray) -> None:
-        """Mark in `area`, a byte a pixel, where the clipping box shows not what a fill would put.
+    def mark_unfilled(self, color: int, rows: bytes, area: bytearray) -> None:
+        """Mark in `area`, a byte a pixel, the pixels of the clipping box that a fill would change.
 
-        Also on whole rows where it would put nothing but index 0: there no flood stops.
+        Rows that the pattern leaves empty are marked whole, so that the flood crosses them.
         """
         part = slice(self._top, self._bottom + 1), slice(self._left, self._right + 1)
         marks = np.frombuffer(area, np.bool_).reshape(self.height, self.width)
@@ -191,10 +192,10 @@ class Page:
         if not (self._left <= x <= self._right and self._top <= y <= self._bottom):
             return
         inside, unfilled = self._marks
-        self.differing(border, SOLID_ROWS, inside)
+        self.mark_unfilled(border, SOLID_ROWS, inside)
         if inside[y * self.width + x]:
-            self.differing(color, rows, unfilled)
-            # A pixel to go on from is looked for between the first and the last column only.
+            self.mark_unfilled(color, rows, unfilled)
+            # The driver looks for a pixel to go on from between the first and the last column only.
             shape = self.height, self.width
             np.frombuffer(unfilled, np.bool_).reshape(shape)[:, [self._left, self._right]] = False
             self.fill_rows(flood(inside, unfilled, self.width, x, y), color, rows)
@@ -208,7 +209,7 @@ class Page:
     # Polygons
 
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
-        """Rows of pixels (y within the clipping box) in a fill pattern."""
+        """Rows of pixels, each y within the clipping box, in a fill pattern."""
         left, right, width, pixels = self._left, self._right, self.width, self._row
         whole, cut = _row_of(color, width, self.flat.dtype)
         mask = None if pattern == SOLID_ROWS else screen_mask(pattern, width, self.height)
@@ -239,7 +240,7 @@ class Page:
         return np.where(screen_mask(rows, self.width, self.height).ravel()[place], colors, 0)
 
     def fill_spans(self, spans: Spans, fills: Ints, rows: bytes) -> tuple[Ints, Ints]:
-        """Rows of pixels of polygons in order, each in its polygon's colour of `fills`.
+        """The rows of many polygons one after another; `fills` are the polygons' colours.
 
         Returns the places filled, and how many of them each span has.
         """
@@ -262,7 +263,7 @@ class Page:
         colors: Ints,
         pattern: Mask,
     ) -> None:
-        """Polygons one after another: the spans of one and its sides, then the next one's.
+        """Polygons in painter's order: one's spans and sides, then the next one's over them.
 
         `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
         """
@@ -273,7 +274,7 @@ class Page:
             last_fill[place] = np.repeat(spans.owner, lengths)
         for edge, side in self._trace(sides, pattern):
             drawn_by = owners[side]
-            if covered:  # a pixel of a side survives unless a later polygon's fill covers it
+            if covered:  # a pixel of a side stays unless a later polygon's fill covers it
                 survives = last_fill[edge] <= drawn_by
                 edge, drawn_by = edge[survives], drawn_by[survives]
             self.flat[edge] = colors[drawn_by]
@@ -296,7 +297,7 @@ class Page:
     def fill_symmetric(
         self, x: int, y: int, steps: list[Offset], color: int, pattern: bytes
     ) -> None:
-        """For each step (i, j) the rows y - j and y + j, from x - i to x + i, in a pattern."""
+        """An ellipse: for each step (i, j) the rows y - j and y + j, from x - i to x + i."""
         _, top, _, bottom = self.box
         rows = [(y + s * j, x - i, x + i) for i, j in steps for s in (-1, 1)]
         rows = [row for row in rows if top <= row[0] <= bottom]

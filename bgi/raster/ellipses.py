@@ -1,9 +1,14 @@
-"""Circles, ellipses and arcs by the kernel's integer rules; no angle is ever sampled for thin ones.
+"""Circles, ellipses and arcs by the kernel's integer rules: which pixels, in which order.
 
-A stepper walks one quadrant of the ellipse in hundredths of a pixel's area and mirrors each point
-four ways. Arcs keep those points whose *rank* lies between the ranks of the end points: a number
-that grows around the ellipse and needs no arc tangent. End points come from a table of 91 sines.
-Thick curves are another matter: one point for every whole degree, joined by thick lines.
+A stepper walks along one quadrant and mirrors each point four ways. Of two neighbouring pixels it
+takes the one with the smaller error, as Bresenham's circle does ("A linear algorithm for
+incremental digital display of circular arcs", Communications of the ACM 20, 1977). The midpoint
+algorithm, which asks on which side of the curve the middle between the two lies, is its better
+known relative. The error is the ellipse's equation, scaled to whole numbers.
+
+An arc keeps those points whose *rank* lies between the ranks of its two ends: a number that grows
+around the ellipse and needs no arc tangent. The ends come from a table of 91 sines. A thick curve
+is different: one point for every whole degree, joined by thick lines.
 """
 
 import math
@@ -19,7 +24,7 @@ from bgi.raster.lines import Ints
 Offset = tuple[int, int]
 """dx, dy from the centre, dy downwards."""
 
-# The tiny addend saves sin 30 degrees from being a hair less than one half.
+# Without the small addend sin 30 degrees would come out just below one half.
 _SINES = [math.floor(32768 * math.sin(math.radians(a)) + 1e-9) for a in range(91)]
 _OVERFLOW = 1 << 32
 """The stepper's square no longer fits 32 bits: the original draws nothing (radii above 6553)."""
@@ -39,7 +44,11 @@ def point_at(angle: int, rx: int, ry: int) -> Offset:
 
 
 def _steps(rx: int, ry: int) -> Iterator[Offset]:
-    """One quadrant, from the top (0, ry) to the right tip, y upwards."""
+    """One quadrant, from the top (0, ry) to the right end, y upwards.
+
+    `error` is p * x**2 + q * y**2 - square at the point x, y. One step to the right adds h to it,
+    one step down takes v away.
+    """
     square = 100 * max(rx, ry) ** 2
     p, q = square // rx // rx, square // ry // ry
     x, y = 0, ry
