@@ -1,13 +1,13 @@
-"""`python -m bench [calls] [surfaces]`: what things cost, without a window. Both unless named."""
+"""`python -m bench [calls] [surfaces] [monitor]`: what things cost. All of them unless named."""
 
 import os
 import sys
 
-os.environ["BGI_MONITOR"] = "none"
+os.environ["BGI_MONITOR"] = "none"  # the report of the monitor opens a window all the same
 
-from bench import calls, surfaces
+from bench import calls, monitor, surfaces
 
-REPORTS = {"calls": calls.report, "surfaces": surfaces.report}
+REPORTS = {"calls": calls.report, "surfaces": surfaces.report, "monitor": monitor.report}
 
 wanted = sys.argv[1:] or list(REPORTS)
 unknown = [name for name in wanted if name not in REPORTS]

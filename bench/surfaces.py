@@ -149,8 +149,3 @@ def report() -> None:
 
 def _ratio(other: float | None, own: float | None) -> str:
     return "-" if other is None or own is None else f"{other / own:.0f}"
-
-
-if __name__ == "__main__":
-    os.environ["BGI_MONITOR"] = "none"
-    report()
