@@ -15,6 +15,8 @@ from bgi.graphics import Graphics
 from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
 
+pytest_plugins = ["tests.skips"]
+
 
 @pytest.fixture(autouse=True)
 def _fresh() -> Iterator[None]:

@@ -196,7 +196,7 @@ class TestWheel:
     @pytest.fixture
     def installed(self, tmp_path):
         """A folder with what the wheel puts into site-packages."""
-        pytest.importorskip("hatchling", reason='hatchling is missing: pip install ".[test]"')
+        pytest.importorskip("hatchling", reason="needs hatchling")
         command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
         subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
         (wheel,) = tmp_path.glob("*.whl")

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from bgi.memory.card import AT_PALETTE, AT_PIXELS, MAX_SIDE, PALETTE_BYTES, Card, Frame
 from bgi.memory.card import _anonymous_file as anonymous_file
 
-posix = pytest.mark.skipif(sys.platform == "win32", reason="descriptors are POSIX")
+posix = pytest.mark.skipif(sys.platform == "win32", reason="uses POSIX descriptors")
 linux = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 
 

@@ -149,8 +149,8 @@ def test_shipped_boxes_join(name):
 
 @named
 def test_shipped_files_are_what_the_generator_makes(name):
-    pytest.importorskip("HersheyFonts", reason="needs the package Hershey-Fonts")
-    pytest.importorskip("shapely", reason="needs the package shapely")
+    pytest.importorskip("HersheyFonts", reason="needs Hershey-Fonts")
+    pytest.importorskip("shapely", reason="needs shapely")
     from tools.fonts.make import DATA, made
 
     assert made(name) == (DATA / f"{name}.CHR").read_bytes()

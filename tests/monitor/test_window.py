@@ -367,7 +367,7 @@ def test_no_window_is_one_clear_line(card: Card, monkeypatch: pytest.MonkeyPatch
         choose(card)
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="needs X11")
+@pytest.mark.skipif(sys.platform != "linux", reason="speaks of X11")
 @pytest.mark.parametrize(
     ("driver", "display", "reason"),
     [

@@ -380,8 +380,7 @@ class ClientMessage(ctypes.Structure):
 def press_the_close_button(display: str, window: int) -> None:
     """What a window manager does when its close button is pressed."""
     name = ctypes.util.find_library("X11")
-    if name is None:
-        pytest.skip("needs libX11")
+    assert name  # xdotool needs it too
     x11 = ctypes.CDLL(name)
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XInternAtom.restype = ctypes.c_ulong

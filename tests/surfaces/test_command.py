@@ -172,7 +172,7 @@ def test_dithering_takes_sixteen_colors(
 
 
 def test_a_gif_is_a_full_turn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    image = pytest.importorskip("PIL.Image")
+    image = pytest.importorskip("PIL.Image", reason="needs Pillow")
     file = tmp_path / "a.gif"
     code, said = run(capsys, "x*y", "-n", "10", "--frames", "4", "-o", str(file))
     assert code == 0
@@ -298,7 +298,7 @@ def test_a_file_that_cannot_be_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], ending: str
 ) -> None:
     if ending == "gif":
-        pytest.importorskip("PIL")
+        pytest.importorskip("PIL", reason="needs Pillow")
     file = tmp_path / "nowhere" / f"a.{ending}"
     frames = ("--frames", "2") if ending == "gif" else ()
     code, said = run(capsys, "x", "-n", "5", *frames, "-o", str(file))

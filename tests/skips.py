@@ -1,0 +1,60 @@
+"""A test may be skipped only for a reason of this list, and only where that reason holds.
+
+Any other skip is a failure. On a developer's machine a package may be missing; in CI (the variable
+CI) what the extra `[test]` brings is there, and so nothing that could run is left out.
+"""
+
+import importlib.util
+import os
+import shutil
+import sys
+from collections.abc import Generator
+
+import pytest
+
+IN_CI = bool(os.environ.get("CI"))
+WINDOWS, MACOS, LINUX = (sys.platform == name for name in ("win32", "darwin", "linux"))
+
+
+def _no_program(name: str) -> bool:
+    return shutil.which(name) is None
+
+
+def _no_package(name: str) -> bool:
+    return not IN_CI and importlib.util.find_spec(name) is None
+
+
+REASONS = {
+    "needs Xvfb": _no_program("Xvfb"),
+    "needs xdotool": _no_program("xdotool"),
+    "needs import": _no_program("import"),  # ImageMagick's
+    "needs setxkbmap": _no_program("setxkbmap"),
+    "needs Pillow": _no_package("PIL"),
+    "needs Hershey-Fonts": _no_package("HersheyFonts"),
+    "needs shapely": _no_package("shapely"),
+    "needs mypy": _no_package("mypy"),
+    "needs hatchling": _no_package("hatchling"),
+    "uses POSIX signals or fork": WINDOWS,
+    "uses POSIX descriptors": WINDOWS,
+    "looks into /proc": not LINUX,
+    "speaks of X11": not LINUX,
+    "there is always a display": WINDOWS or MACOS,
+}
+
+
+def unexpected(reason: str) -> str:
+    """What is wrong with a skip for that reason; nothing: an empty text."""
+    if reason not in REASONS:
+        return f"skipped for a reason that tests/skips.py does not know: {reason}"
+    return "" if REASONS[reason] else f"skipped here, where the reason does not hold: {reason}"
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Turn an unexpected skip into a failure."""
+    report = yield
+    if report.skipped and not hasattr(report, "wasxfail"):
+        _, _, said = report.longrepr
+        if complaint := unexpected(said.removeprefix("Skipped: ")):
+            report.outcome, report.longrepr = "failed", complaint
+    return report

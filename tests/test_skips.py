@@ -1,0 +1,59 @@
+"""A skip that nobody expects is a failure."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests import skips
+
+TESTS = """
+import pytest
+
+@pytest.fixture
+def tool():
+    pytest.skip("nobody knows why")
+
+def test_with_a_tool(tool): ...
+
+def test_that_gives_up():
+    pytest.skip("needs shapely")
+
+@pytest.mark.skipif(True, reason="uses wings")
+def test_for_birds(): ...
+
+@pytest.mark.xfail(strict=True)
+def test_of_a_fault():
+    assert False
+
+def test_that_runs(): ...
+"""
+
+
+def test_an_unexpected_skip_fails_the_run(tmp_path: Path) -> None:
+    (tmp_path / "pytest.ini").touch()
+    (tmp_path / "test_some.py").write_text(TESTS, "utf-8")
+    ran = subprocess.run(
+        [sys.executable, "-m", "pytest", "-p", "tests.skips"],
+        env=os.environ | {"CI": "true", "PYTHONPATH": str(Path(__file__).parents[1])},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert ran.returncode == 1
+    for line in (
+        "skipped for a reason that tests/skips.py does not know: nobody knows why",
+        "skipped here, where the reason does not hold: needs shapely",
+        "skipped for a reason that tests/skips.py does not know: uses wings",
+        "1 failed, 1 passed, 1 xfailed, 2 errors",
+    ):
+        assert line in ran.stdout
+
+
+def test_a_reason_counts_only_where_it_holds(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(skips, "REASONS", {"needs wings": True, "needs legs": False})
+    assert skips.unexpected("needs wings") == ""
+    assert "does not hold: needs legs" in skips.unexpected("needs legs")
+    assert "does not know: needs fins" in skips.unexpected("needs fins")
