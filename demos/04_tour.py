@@ -8,8 +8,7 @@ the pixels stay as they are, only the look of their colours changes. Any other k
 """
 
 from collections.abc import Callable
-
-import numpy as np
+from math import cos, pi, radians, sin
 
 from bgi import *
 
@@ -23,21 +22,24 @@ CX, CY = WIDTH // 2, HEIGHT // 2
 
 def pixels() -> None:
     """Sierpinski's triangle: the points whose x and y have no binary digit in common."""
-    x, y = np.nonzero(np.bitwise_and.outer(np.arange(128), np.arange(HEIGHT)) == 0)
-    putpixel(10 + x, y, LIGHTBLUE + (x + y) // 32)
+    for y in range(HEIGHT):
+        for x in range(128):
+            if x & y == 0:
+                putpixel(10 + x, y, LIGHTBLUE + (x + y) // 32)
 
 
 def lines() -> None:
     """Straight lines that together look curved."""
-    step = np.arange(0, 61, 4)
-    line(CX, CY - step, CX - 60 + step, CY, LIGHTCYAN)
-    line(CX, CY - step, CX + 60 - step, CY, LIGHTGREEN)
-    line(CX, CY + step, CX - 60 + step, CY, LIGHTMAGENTA)
-    line(CX, CY + step, CX + 60 - step, CY, LIGHTRED)
+    for step in range(0, 61, 4):
+        line(CX, CY - step, CX - 60 + step, CY, LIGHTCYAN)
+        line(CX, CY - step, CX + 60 - step, CY, LIGHTGREEN)
+        line(CX, CY + step, CX - 60 + step, CY, LIGHTMAGENTA)
+        line(CX, CY + step, CX + 60 - step, CY, LIGHTRED)
 
 
 def line_styles() -> None:
     """The five styles, thin and thick; the last one is made of sixteen bits of our own."""
+    bits = 0b0000111100110101
     styles = (
         (SOLID_LINE, "solid"),
         (DOTTED_LINE, "dotted"),
@@ -50,18 +52,19 @@ def line_styles() -> None:
         setcolor(LIGHTGRAY)
         outtextxy(8, y - 4, name)
         setcolor(YELLOW)
-        setlinestyle(style, 0b0000111100110101, NORM_WIDTH)
+        setlinestyle(style, bits, NORM_WIDTH)
         line(64, y - 4, WIDTH - 9, y - 4)
-        setlinestyle(style, 0b0000111100110101, THICK_WIDTH)
+        setlinestyle(style, bits, THICK_WIDTH)
         line(64, y + 4, WIDTH - 9, y + 4)
 
 
 def rectangles() -> None:
-    """A tunnel."""
-    near = 0.8 ** np.arange(12)
-    left, top, color = CX - 66 * near, CY - 54 * near, 15 - np.arange(12)
-    x, y = CX + 24 * (1 - near), CY - 10 * (1 - near)
-    rectangle(x - CX + left, y - CY + top, x + CX - left, y + CY - top, color)
+    """A tunnel: each frame is a little smaller than the one before, and farther to the right."""
+    near = 1.0
+    for color in range(WHITE, RED - 1, -1):
+        x, y = CX + 24 * (1 - near), CY - 10 * (1 - near)
+        rectangle(x - 66 * near, y - 54 * near, x + 66 * near, y + 54 * near, color)
+        near = 0.8 * near
 
 
 def bars() -> None:
@@ -75,42 +78,49 @@ def bars() -> None:
 
 def circles() -> None:
     """Circles around a circle."""
-    angle = np.arange(0, 24) * np.pi / 12
-    circle(CX + 28 * np.cos(angle), CY + 28 * np.sin(angle), 29, 9 + np.arange(24) % 6)
+    for number in range(24):
+        angle = number * pi / 12
+        circle(CX + 28 * cos(angle), CY + 28 * sin(angle), 29, LIGHTBLUE + number % 6)
 
 
 def polygons() -> None:
-    """Four polygons of 361 points each, in one call."""
-    turn = np.radians(np.arange(361))
-    reach = np.outer((1, 0.8, 0.6, 0.4), 40 + 19 * np.cos(6 * turn))
-    points = np.stack((CX + reach * np.sin(turn), CY - reach * np.cos(turn)), axis=2)
-    drawpoly(points, color=(YELLOW, LIGHTRED, LIGHTMAGENTA, LIGHTBLUE))
+    """Four polygons, one inside the other, of 361 points each."""
+    for size, color in ((1, YELLOW), (0.8, LIGHTRED), (0.6, LIGHTMAGENTA), (0.4, LIGHTBLUE)):
+        points = []
+        for degrees in range(361):
+            angle = radians(degrees)
+            reach = size * (40 + 19 * cos(6 * angle))
+            points.append((CX + reach * sin(angle), CY - reach * cos(angle)))
+        drawpoly(points, color=color)
 
 
 def filled_polygons() -> None:
     """A star in one stroke: where it covers itself twice, it is empty (the even-odd rule)."""
-    turn = np.radians(np.arange(0, 720, 144))
+    points = []
+    for degrees in range(0, 720, 144):
+        angle = radians(degrees)
+        points.append((CX + 58 * sin(angle), CY + 4 - 58 * cos(angle)))
     setfillstyle(SOLID_FILL, RED)
     setcolor(YELLOW)
-    fillpoly(np.stack((CX + 58 * np.sin(turn), CY + 4 - 58 * np.cos(turn)), axis=1))
+    fillpoly(points)
 
 
 def viewport() -> None:
     """What leaves the viewport is cut off."""
-    radius = np.arange(6, 180, 6)
-    circle(0, HEIGHT, radius, LIGHTBLUE)
-    circle(WIDTH, 0, radius, LIGHTCYAN)
+    for radius in range(6, 180, 6):
+        circle(0, HEIGHT, radius, LIGHTBLUE)
+        circle(WIDTH, 0, radius, LIGHTCYAN)
 
 
 def xor() -> None:
     """Lines that cross in XOR mode leave a pattern that nobody drew."""
     setwritemode(XOR_PUT)
-    across = np.arange(0, WIDTH, 2)
-    line(CX, CY, across, 0, LIGHTMAGENTA)
-    line(CX, CY, across, HEIGHT - 1, LIGHTMAGENTA)
-    down = np.arange(0, HEIGHT, 2)
-    line(CX, CY, 0, down, LIGHTMAGENTA)
-    line(CX, CY, WIDTH - 1, down, LIGHTMAGENTA)
+    for x in range(0, WIDTH, 2):
+        line(CX, CY, x, 0, LIGHTMAGENTA)
+        line(CX, CY, x, HEIGHT - 1, LIGHTMAGENTA)
+    for y in range(0, HEIGHT, 2):
+        line(CX, CY, 0, y, LIGHTMAGENTA)
+        line(CX, CY, WIDTH - 1, y, LIGHTMAGENTA)
     setwritemode(COPY_PUT)
 
 
@@ -137,7 +147,7 @@ def palette() -> None:
         left, top = 6 + 35 * (color % 4), 4 + 29 * (color // 4)
         setfillstyle(SOLID_FILL, color)
         bar(left, top, left + 30, top + 25)
-        setcolor(WHITE if color < LIGHTGRAY or color == DARKGRAY else 0)
+        setcolor(WHITE if color < LIGHTGRAY or color == DARKGRAY else BLACK)
         number = str(color)
         outtextxy(left + 16 - textwidth(number) // 2, top + 9, number)
     setcolor(DARKGRAY)
@@ -181,7 +191,7 @@ def draw() -> None:
     graphdefaults()
     setfillstyle(SOLID_FILL, LIGHTGRAY)
     bar(0, 0, getmaxx(), 23)
-    setcolor(0)
+    setcolor(BLACK)
     outtextxy(GAP, 8, "graphics.h on one screen")
     keys = "space: turn the palette   any other key: end"
     outtextxy(getmaxx() - GAP - textwidth(keys), 8, keys)

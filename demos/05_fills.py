@@ -8,13 +8,14 @@ to the screen: shapes that touch join without a seam.
 """
 
 from collections.abc import Callable
-
-import numpy as np
+from functools import partial
+from math import cos, radians, sin
 
 from bgi import *
 from gallery.pages import Page, leaf_through, show
 
 MODE = (VGA, VGAHI)
+# The patterns, in the order of their numbers.
 NAMES = (
     "EMPTY_FILL",
     "SOLID_FILL",
@@ -47,18 +48,14 @@ def caption(x: int, y: int, text: str) -> None:
     outtextxy(x - textwidth(text) // 2, y, text)
 
 
-def each_pattern(shape: Callable[[int, int], None]) -> Callable[[], None]:
-    """A page with twelve copies of a shape, given its centre, one in each pattern."""
-
-    def draw() -> None:
-        for pattern, name in enumerate(NAMES):
-            x, y = 84 + 157 * (pattern % 4), 74 + 149 * (pattern // 4)
-            setfillstyle(pattern, HUES[pattern % len(HUES)])
-            setcolor(WHITE)
-            shape(x, y)
-            caption(x, y + 66, f"{pattern} {name}")
-
-    return draw
+def each_pattern(shape: Callable[[int, int], None]) -> None:
+    """A page with twelve copies of a shape, given its centre: one in each pattern."""
+    for pattern, name in enumerate(NAMES):
+        x, y = 84 + 157 * (pattern % 4), 74 + 149 * (pattern // 4)
+        setfillstyle(pattern, HUES[pattern % len(HUES)])
+        setcolor(WHITE)
+        shape(x, y)
+        caption(x, y + 66, f"{pattern} {name}")
 
 
 def box(x: int, y: int) -> None:
@@ -82,8 +79,11 @@ def slices(x: int, y: int) -> None:
 
 def star(x: int, y: int) -> None:
     """A star of one stroke is hollow: the even-odd rule."""
-    turn = np.radians(np.arange(0, 720, 144))
-    fillpoly(np.stack((x + 62 * np.sin(turn), y + 4 - 62 * np.cos(turn)), axis=1))
+    points = []
+    for degrees in range(0, 720, 144):
+        angle = radians(degrees)
+        points.append((x + 62 * sin(angle), y + 4 - 62 * cos(angle)))
+    fillpoly(points)
 
 
 def poured(x: int, y: int) -> None:
@@ -95,13 +95,10 @@ def poured(x: int, y: int) -> None:
 
 
 def own() -> None:
-    """setfillpattern: the bits, eight times as large, and what they look like."""
+    """setfillpattern: the bits, ten times as large, and what they look like."""
     for place, (name, rows) in enumerate(PICTURES.items()):
         left, top = 20 + 208 * (place % 3), 18 + 222 * (place // 3)
-        bits = np.unpackbits(np.array(rows, dtype=np.uint8)).reshape(8, 8)
-        y, x = np.indices((8, 8))
-        setfillstyle(SOLID_FILL, WHITE)
-        bar(left + 10 * x, top + 10 * y, left + 10 * x + 8, top + 10 * y + 8, BLUE + 13 * bits)
+        bits(left, top, rows)
         setfillpattern(rows, HUES[place])
         setcolor(WHITE)
         fillpoly(
@@ -113,9 +110,18 @@ def own() -> None:
         outtextxy(left, top + 198, bytes(rows).hex(" ").upper())
 
 
+def bits(left: int, top: int, rows: tuple[int, ...]) -> None:
+    """A square for each bit of a pattern; the highest bit of a byte is its leftmost pixel."""
+    for row, byte in enumerate(rows):
+        for column in range(8):
+            is_set = byte & (0b10000000 >> column)
+            setfillstyle(SOLID_FILL, YELLOW if is_set else BLUE)
+            x, y = left + 10 * column, top + 10 * row
+            bar(x, y, x + 8, y + 8)
+
+
 def landscape() -> None:
     """A scene of filled shapes, drawn from the back to the front."""
-    setcolor(CYAN)
     setfillstyle(LTBKSLASH_FILL, BLUE)
     bar(0, 0, 639, 300)
     setfillstyle(SOLID_FILL, YELLOW)
@@ -165,11 +171,11 @@ def tree(x: int, y: int) -> None:
 
 
 PAGES = (
-    Page("bar", each_pattern(box)),
-    Page("fillellipse", each_pattern(disc)),
-    Page("pieslice and sector", each_pattern(slices)),
-    Page("fillpoly", each_pattern(star)),
-    Page("floodfill", each_pattern(poured)),
+    Page("bar", partial(each_pattern, box)),
+    Page("fillellipse", partial(each_pattern, disc)),
+    Page("pieslice and sector", partial(each_pattern, slices)),
+    Page("fillpoly", partial(each_pattern, star)),
+    Page("floodfill", partial(each_pattern, poured)),
     Page("setfillpattern", own),
     Page("All of them", landscape),
 )

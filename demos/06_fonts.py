@@ -8,7 +8,7 @@ stay sharp at any size. textwidth() and textheight() measure before anything is 
 pages are tables of every character.
 """
 
-from collections.abc import Callable
+from functools import partial
 
 from bgi import *
 from gallery.pages import Page, leaf_through, show
@@ -28,6 +28,7 @@ FONTS = (
     (EUROPEAN_FONT, "EUROPEAN_FONT"),
     (BOLD_FONT, "BOLD_FONT"),
 )
+COLORS = (WHITE, YELLOW, LIGHTCYAN, LIGHTGREEN, LIGHTRED, LIGHTMAGENTA)
 ACROSS = ((LEFT_TEXT, "LEFT"), (CENTER_TEXT, "CENTER"), (RIGHT_TEXT, "RIGHT"))
 DOWN = ((BOTTOM_TEXT, "BOTTOM"), (CENTER_TEXT, "CENTER"), (TOP_TEXT, "TOP"))
 
@@ -52,7 +53,7 @@ def overview() -> None:
     for row, (font, name) in enumerate(FONTS):
         y = 12 + 40 * row
         label(16, y + 14, f"{font:2}  {name}")
-        setcolor((WHITE, YELLOW, LIGHTCYAN, LIGHTGREEN, LIGHTRED, LIGHTMAGENTA)[row % 6])
+        setcolor(COLORS[row % len(COLORS)])
         if font == DEFAULT_FONT:
             settextstyle(font, HORIZ_DIR, 2)
             outtextxy(190, y + 12, "Turbo C graphics.h 1987")
@@ -88,7 +89,8 @@ def directions() -> None:
     """Level and upwards: a chart is where one needs both."""
     label(16, 10, "HORIZ_DIR reads to the right, VERT_DIR upwards.")
     setcolor(DARKGRAY)
-    line(84, range(48, 369, 40), 620, range(48, 369, 40))
+    for y in range(48, 369, 40):
+        line(84, y, 620, y)
     columns = (
         ("points", 290, LIGHTRED),
         ("lines", 150, YELLOW),
@@ -151,26 +153,25 @@ def stretched() -> None:
     outtextxy(left + 16, top + 8, words)
 
 
-def table(font: int, first: int = 32) -> Callable[[], None]:
-    """A page with the characters of a font from code `first` on, in rows of sixteen."""
-
-    def draw() -> None:
-        for row in range(first // 16, 16):
-            y = 8 + (row - first // 16) * (436 // (16 - first // 16))
-            label(12, y + 12, f"{16 * row:3}", DARKGRAY)
-            if font == DEFAULT_FONT:
-                settextstyle(font, HORIZ_DIR, 2)
-            else:
-                fit_height(font, 27)
-            settextjustify(CENTER_TEXT, TOP_TEXT)
-            setcolor(YELLOW if row < 8 else LIGHTCYAN)
-            for column in range(16):
-                character = bytes([16 * row + column])
-                outtextxy(70 + 36 * column, y + 5 * (font == DEFAULT_FONT), character)
-        setcolor(CYAN)
-        line(42, 8, 42, BOTTOM - 12)
-
-    return draw
+def table(font: int, first: int) -> None:
+    """The characters of a font from code `first` on, in rows of sixteen."""
+    lines = (256 - first) // 16
+    height = 436 // lines
+    for row in range(lines):
+        y = 8 + height * row
+        code = first + 16 * row
+        label(12, y + 12, f"{code:3}", DARKGRAY)
+        if font == DEFAULT_FONT:
+            settextstyle(font, HORIZ_DIR, 2)
+            y = y + 5
+        else:
+            fit_height(font, 27)
+        settextjustify(CENTER_TEXT, TOP_TEXT)
+        setcolor(YELLOW if code < 128 else LIGHTCYAN)  # beyond ASCII: code page 437
+        for column in range(16):
+            outtextxy(70 + 36 * column, y, bytes([code + column]))
+    setcolor(CYAN)
+    line(42, 8, 42, BOTTOM - 12)
 
 
 PAGES = (
@@ -179,7 +180,8 @@ PAGES = (
     Page("Directions", directions),
     Page("Justification", justification),
     Page("Widths and heights of one's own", stretched),
-    *(Page(name, table(font, 0 if font == DEFAULT_FONT else 32)) for font, name in FONTS),
+    Page("DEFAULT_FONT", partial(table, DEFAULT_FONT, 0)),
+    *(Page(name, partial(table, font, 32)) for font, name in FONTS[1:]),
 )
 
 

@@ -9,6 +9,8 @@ and nothing is drawn again: a tunnel rushes past, the sun rises, water flows. Th
 """
 
 import itertools
+from collections.abc import Sequence
+from math import pi, sin
 
 import numpy as np
 
@@ -19,33 +21,38 @@ MODE = (VGA, VGAHI)
 WIDTH, HEIGHT = 640, 456  # what is left below the bar
 
 # The tunnel's colours turn; 0, 7 and 15 stay, for the background, the bar and the text.
-RING = np.array([1, 2, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14])
+RING = (1, 2, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14)
+# Other looks for them, of the 64 that the EGA could mix; the last three have no name.
+# fmt: off
 LOOKS = (
-    *(EGA_BLUE, EGA_MAGENTA, EGA_RED, EGA_LIGHTRED, EGA_YELLOW, EGA_WHITE, EGA_LIGHTCYAN),
-    *(EGA_CYAN, EGA_LIGHTBLUE, EGA_BLUE, 1, 8, 33),  # of the 64, not all have a name
+    EGA_BLUE, EGA_MAGENTA, EGA_RED, EGA_LIGHTRED, EGA_YELLOW, EGA_WHITE, EGA_LIGHTCYAN,
+    EGA_CYAN, EGA_LIGHTBLUE, EGA_BLUE, 1, 8, 33,
 )
+# fmt: on
 
 
 def tunnel() -> None:
-    """Every pixel's colour from its angle and distance: drawn once, by one call."""
+    """A spiral that becomes narrower towards the middle: drawn once, all pixels by one call."""
     y, x = np.indices((HEIGHT, WIDTH))
     across, down = x - WIDTH / 2 + 0.5, y - HEIGHT / 2 + 0.5
-    depth = np.log(np.hypot(across, down)) * 11
+    depth = 11 * np.log(np.hypot(across, down))
     twist = np.arctan2(down, across) / (2 * np.pi) * len(RING)
-    putpixel(x, y, RING[np.int64(np.floor(depth - twist)) % len(RING)])
+    place = np.int64(np.floor(depth - twist)) % len(RING)
+    putpixel(x, y, np.array(RING)[place])
     setfillstyle(SOLID_FILL, BLACK)
     fillellipse(WIDTH // 2, HEIGHT // 2, 17, 17)
 
 
 def colors() -> None:
-    """The same, with the colours' numbers and hardware values in a row beneath."""
+    """The same, with the colours and their numbers in a row beneath."""
     tunnel()
     setfillstyle(SOLID_FILL, BLACK)
     bar(0, HEIGHT - 44, WIDTH, HEIGHT)
     setcolor(WHITE)
     for color in range(16):
         left = 4 + 40 * color
-        bar(left, HEIGHT - 40, left + 31, HEIGHT - 18, color)
+        setfillstyle(SOLID_FILL, color)
+        bar(left, HEIGHT - 40, left + 31, HEIGHT - 18)
         rectangle(left, HEIGHT - 40, left + 31, HEIGHT - 18)
         outtextxy(left + 8, HEIGHT - 12, f"{color:2}")
 
@@ -54,8 +61,10 @@ def turn() -> None:
     """Hand every colour's look on to the next one; -1 leaves a colour as it is."""
     now = getpalette().colors
     looks = [-1] * 16
-    for color, before in zip(RING, np.roll(RING, 1), strict=True):
+    before = RING[-1]
+    for color in RING:
         looks[color] = now[before]
+        before = color
     setallpalette(looks)
 
 
@@ -66,7 +75,7 @@ def other_colors() -> None:
         setpalette(color, look)
 
 
-# The morning: (colour, at night, at dawn, by day), each red, green, blue of 0..63.
+# The morning: a colour, and how it looks at night, at dawn and by day: red, green, blue of 0..63.
 SKY = (BLUE, CYAN, LIGHTBLUE, LIGHTCYAN, RED)
 LIGHTS = (
     (BLUE, (0, 0, 8), (14, 8, 30), (16, 30, 60)),
@@ -81,8 +90,10 @@ LIGHTS = (
     (LIGHTGREEN, (0, 2, 4), (14, 10, 8), (18, 42, 12)),
     (LIGHTRED, (60, 50, 10), (50, 40, 10), (20, 22, 30)),
 )
-HOURS = 90
-morning = itertools.cycle([*range(1, 2 * HOURS), *range(2 * HOURS, -1, -1)])
+HALF = 90  # steps from night to dawn, and from dawn to day
+DAY = 2 * HALF
+# There and back, for ever.
+morning = itertools.cycle([*range(1, DAY), *range(DAY, -1, -1)])
 
 
 def hills() -> None:
@@ -93,16 +104,17 @@ def hills() -> None:
     setfillstyle(SOLID_FILL, YELLOW)
     setcolor(YELLOW)
     fillellipse(410, 236, 44, 44)
-    x = np.arange(0, WIDTH + 10, 10)
     for color, base, high, length in (
         (DARKGRAY, 262, 44, 71),
         (BROWN, 318, 26, 97),
         (LIGHTGREEN, 362, 18, 59),
         (GREEN, 404, 12, 83),
     ):
-        y = base + high * (np.sin(x / length) + np.sin(x / length / 0.37 + base) / 3)
-        ends = np.array([(WIDTH, HEIGHT), (0, HEIGHT)])
-        fillpoly(np.concatenate((np.stack((x, y), axis=1), ends)), fill=color, color=color)
+        points = [(WIDTH, HEIGHT), (0, HEIGHT)]
+        for x in range(0, WIDTH + 10, 10):
+            y = base + high * (sin(x / length) + sin(x / length / 0.37 + base) / 3)
+            points.append((x, round(y)))
+        fillpoly(points, fill=color, color=color)
     village(140, 386)
     light(0)
 
@@ -119,49 +131,58 @@ def village(left: int, top: int) -> None:
         bar(left + x + 16, top - height + 6, left + x + 21, top - height + 13)
 
 
-def light(hour: int) -> None:
-    """Mix every colour for an hour: night is 0, dawn HOURS, day twice as much.
+def light(step: int) -> None:
+    """Mix every colour for a moment: night is 0, dawn HALF, day twice as much.
 
     On the VGA setrgbpalette() loads a register, and the palette tells which one a colour uses.
     """
     registers = getpalette().colors
-    for color, *moments in LIGHTS:
-        mixed = [np.interp(hour, (0, HOURS, 2 * HOURS), parts) for parts in np.transpose(moments)]
-        setrgbpalette(registers[color], *mixed)
+    for color, night, dawn, day in LIGHTS:
+        if step < HALF:
+            red, green, blue = mix(night, dawn, step / HALF)
+        else:
+            red, green, blue = mix(dawn, day, step / HALF - 1)
+        setrgbpalette(registers[color], red, green, blue)
 
 
-def dawn() -> None:
+def mix(before: Sequence[int], after: Sequence[int], part: float) -> list[float]:
+    """Red, green and blue that part of the way from one look to another."""
+    return [start + part * (end - start) for start, end in zip(before, after, strict=True)]
+
+
+def lighter() -> None:
     """A little later, or earlier."""
     light(next(morning))
 
 
 # The water: colours 16 to 255 of the 8514, which has a palette entry of its own for each.
 WAVES = 240
-phase = itertools.count(step=2)
+shifts = itertools.count(step=2)
 
 
 def water() -> None:
     """Waves from four stones, laid on top of each other; 240 colours."""
     y, x = np.indices((HEIGHT, WIDTH))
-    stones = ((120, 90, 23), (520, 150, 29), (330, 420, 19), (40, 400, 31))
-    height = sum(np.sin(np.hypot(x - left, y - top) / length) for left, top, length in stones)
+    height = np.zeros((HEIGHT, WIDTH))
+    for left, top, length in ((120, 90, 23), (520, 150, 29), (330, 420, 19), (40, 400, 31)):
+        height += np.sin(np.hypot(x - left, y - top) / length)
     putpixel(x, y, 16 + np.int64(height * 60 + WAVES) % WAVES)
     flow()
 
 
 def flow() -> None:
     """Load all 240 entries anew, shifted by two."""
-    start = next(phase)
+    shift = next(shifts)
     for entry in range(WAVES):
-        turned = 2 * np.pi * (entry + start) / WAVES
-        red, green, blue = 100 + 90 * np.sin(turned + np.array((0.0, 0.9, 2.0)))
-        setrgbpalette(16 + entry, red * 0.6, green, blue + 60)
+        angle = 2 * pi * (entry + shift) / WAVES
+        red, green, blue = (100 + 90 * sin(angle + phase) for phase in (0, 0.9, 2))
+        setrgbpalette(16 + entry, 0.6 * red, green, blue + 60)
 
 
 PAGES = (
     Page("setallpalette: colours turn", colors, turn, 60),
     Page("setpalette: other looks", other_colors, turn, 60),
-    Page("setrgbpalette: a morning", hills, dawn, 30),
+    Page("setrgbpalette: a morning", hills, lighter, 30),
     Page("240 colours of the 8514", water, flow, 20, (IBM8514, IBM8514LO)),
 )
 

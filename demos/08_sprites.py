@@ -8,7 +8,8 @@ the figure in: so it covers the picture, and what is around it stays. The aquari
 page that is not shown.
 """
 
-from dataclasses import dataclass
+from math import sin
+from random import Random
 
 import numpy as np
 
@@ -55,7 +56,7 @@ def mirrored(image: Image) -> Image:
 
 def mask(image: Image) -> Image:
     """All bits where the image has nothing, none where it has: what AND_PUT keeps, and clears."""
-    return Image(np.where(image.array == 0, 15, 0).astype(np.uint8), image.colors)
+    return Image(np.where(image.array == BLACK, 0b1111, 0), image.colors)
 
 
 def put(x: int, y: int, image: Image) -> None:
@@ -67,12 +68,12 @@ def put(x: int, y: int, image: Image) -> None:
 # The operators, one by one
 
 
-def stripes(left: int, top: int, width: int = 104, height: int = 56) -> None:
-    """Something to see a figure on."""
-    setfillstyle(SOLID_FILL, BLUE)
-    edges = np.arange(0, width, 13)
-    bar(left + edges, top, left + edges + 12, top + height - 1, np.where(edges % 26, RED, BLUE))
-    rectangle(left - 1, top - 1, left + width, top + height, DARKGRAY)
+def stripes(left: int, top: int) -> None:
+    """Something to see a figure on, 104 pixels wide and 56 high."""
+    for stripe in range(8):
+        setfillstyle(SOLID_FILL, RED if stripe % 2 else BLUE)
+        bar(left + 13 * stripe, top, left + 13 * stripe + 12, top + 55)
+    rectangle(left - 1, top - 1, left + 104, top + 56, DARKGRAY)
 
 
 def caption(x: int, y: int, text: str, color: int = LIGHTGRAY) -> None:
@@ -84,40 +85,48 @@ def caption(x: int, y: int, text: str, color: int = LIGHTGRAY) -> None:
 def operators() -> None:
     """The same figure put on the same stripes in five ways; then the two that make a sprite."""
     fish = drawn_fish(LIGHTRED, YELLOW, 80)
-    names = ("COPY_PUT", "XOR_PUT", "OR_PUT", "AND_PUT", "NOT_PUT")
-    for operator, name in enumerate(names):
-        left = 20 + 124 * operator
-        for twice in (0, 1):
-            stripes(left, 44 + 76 * twice)
-            for _ in range(1 + twice):
-                putimage(left + 12, 45 + 76 * twice, fish, operator)
+    left = 20
+    for operator, name in (
+        (COPY_PUT, "COPY_PUT"),
+        (XOR_PUT, "XOR_PUT"),
+        (OR_PUT, "OR_PUT"),
+        (AND_PUT, "AND_PUT"),
+        (NOT_PUT, "NOT_PUT"),
+    ):
         caption(left + 52, 22, name, WHITE)
+        stripes(left, 44)
+        putimage(left + 12, 45, fish, operator)
+        stripes(left, 120)
+        putimage(left + 12, 121, fish, operator)
+        putimage(left + 12, 121, fish, operator)
+        left = left + 124
     caption(320, 186, "above: put once      below: put twice, where only XOR_PUT takes it away")
-    steps = ((None, "the picture"), (AND_PUT, "mask, AND_PUT"), (OR_PUT, "fish, OR_PUT"))
-    for place, (step, name) in enumerate(steps):
-        left = 96 + 172 * place
-        stripes(left, 320)
-        if place > 0:
-            putimage(left + 12, 321, mask(fish), AND_PUT)
-        if place > 1:
-            putimage(left + 12, 321, fish, OR_PUT)
-        if step is not None:
-            shape = mask(fish) if step == AND_PUT else fish
-            putimage(left + 12, 240, shape, COPY_PUT)
-            rectangle(left - 1, 239, left + 104, 295, DARKGRAY)
-            caption(left + 52, 302, "\x19", WHITE)
-        caption(left + 52, 388, name, WHITE)
+    steps(fish)
+
+
+def steps(fish: Image) -> None:
+    """How mask and figure together make a sprite."""
+    stripes(96, 320)
+    caption(148, 388, "the picture", WHITE)
+    stripes(268, 320)
+    putimage(280, 321, mask(fish), AND_PUT)
+    caption(320, 388, "mask, AND_PUT", WHITE)
+    stripes(440, 320)
+    putimage(452, 321, mask(fish), AND_PUT)
+    putimage(452, 321, fish, OR_PUT)
+    caption(492, 388, "fish, OR_PUT", WHITE)
+    for left, image in ((268, mask(fish)), (440, fish)):
+        putimage(left + 12, 240, image, COPY_PUT)
+        rectangle(left - 1, 239, left + 104, 295, DARKGRAY)
+        caption(left + 52, 302, "↓", WHITE)
     caption(320, 416, "A hole in the shape of the figure, then the figure into the hole.")
 
 
 # XOR: two saucers
 
 
-@dataclass
 class Saucers:
     """Flying figures that need no copy of what they cover: a second XOR takes them away."""
-
-    time: int = 0
 
     def draw(self) -> None:
         """A town at night, and the saucers above it."""
@@ -134,31 +143,15 @@ class Saucers:
         self.image = getimage(0, 0, 80, 38)
         cleardevice()
         setactivepage(0)
-        self.town()
+        town()
         self.time = 40
         self.put()
-
-    def town(self) -> None:
-        """Houses of many heights, some windows lit."""
-        setfillstyle(INTERLEAVE_FILL, BLUE)
-        bar(0, 0, WIDTH, HEIGHT)
-        chance = np.random.default_rng(7)
-        setfillstyle(SOLID_FILL, BLACK)
-        for place in range(16):
-            left, top = 40 * place, 170 + int(chance.integers(0, 200))
-            setfillstyle(SOLID_FILL, (DARKGRAY, BLACK, CYAN, BROWN)[place % 4])
-            bar(left, top, left + 39, HEIGHT)
-            x, y = np.meshgrid(np.arange(left + 5, left + 35, 8), np.arange(top + 8, HEIGHT, 14))
-            lit = chance.random(x.shape) < 0.5
-            bar(x, y, x + 3, y + 6, np.where(lit, YELLOW, BLACK))
-        caption(320, 12, "putimage(x, y, saucer, XOR_PUT), and the same again to take it away")
 
     def put(self) -> None:
         """Both saucers, or both away."""
         for start, speed in ((0, 0.021), (2.2, 0.034)):
             turn = start + speed * self.time
-            x, y = 280 + 270 * np.sin(turn), 180 + 130 * np.sin(2.3 * turn)
-            putimage(x, y, self.image, XOR_PUT)
+            putimage(280 + 270 * sin(turn), 180 + 130 * sin(2.3 * turn), self.image, XOR_PUT)
 
     def move(self) -> None:
         """Away, on, and there again."""
@@ -167,63 +160,52 @@ class Saucers:
         self.put()
 
 
+def town() -> None:
+    """Houses of many heights, some windows lit."""
+    setfillstyle(INTERLEAVE_FILL, BLUE)
+    bar(0, 0, WIDTH, HEIGHT)
+    chance = Random(7)  # with a seed: the same town each time
+    for left in range(0, WIDTH, 40):
+        top = chance.randrange(170, 370)
+        setfillstyle(SOLID_FILL, chance.choice((DARKGRAY, BLACK, CYAN, BROWN)))
+        bar(left, top, left + 39, HEIGHT)
+        for y in range(top + 8, HEIGHT, 14):
+            for x in range(left + 5, left + 35, 8):
+                setfillstyle(SOLID_FILL, chance.choice((YELLOW, BLACK)))
+                bar(x, y, x + 3, y + 6)
+    caption(320, 12, "putimage(x, y, saucer, XOR_PUT), and the same again to take it away")
+
+
 # AND and OR: an aquarium
 
 
-@dataclass
 class Aquarium:
     """Fish of three kinds, each at its own speed."""
 
-    time: int = 0
-
     def draw(self) -> None:
         """Water, ground and plants; they and the bar are kept as one image."""
-        kinds = ((LIGHTRED, YELLOW, 84), (YELLOW, LIGHTMAGENTA, 60), (LIGHTGREEN, GREEN, 44))
-        self.fish = []
-        for body, stripe, length in kinds:
-            fish = drawn_fish(body, stripe, length)
-            self.fish.append((fish, mirrored(fish)))
         self.time = 0
-        self.water()
+        self.kinds = [
+            drawn_fish(LIGHTRED, YELLOW, 84),
+            drawn_fish(YELLOW, LIGHTMAGENTA, 60),
+            drawn_fish(LIGHTGREEN, GREEN, 44),
+        ]
+        water()
         self.picture = getimage(0, -BAR, WIDTH - 1, HEIGHT - 1)
         self.swim()
 
-    def water(self) -> None:
-        """Light on the water, then sand, stones and plants."""
-        setfillstyle(SOLID_FILL, BLUE)
-        bar(0, 0, WIDTH, HEIGHT)
-        for top, height in ((0, 8), (12, 4), (22, 2), (32, 1), (44, 0)):
-            bar(0, top, WIDTH, top + height, LIGHTBLUE)
-        x = np.arange(-20, WIDTH + 40, 20)
-        ground = np.stack((x, 400 + 12 * np.sin(x / 90)), axis=1)
-        setfillstyle(SOLID_FILL, BROWN)
-        setcolor(YELLOW)
-        fillpoly(np.concatenate((ground, [(WIDTH + 20, HEIGHT), (-20, HEIGHT)])))
-        for left, top, size in ((470, 404, 60), (540, 418, 44), (420, 424, 30), (90, 426, 36)):
-            setcolor(LIGHTGRAY)
-            setfillstyle(SOLID_FILL, DARKGRAY)
-            fillellipse(left, top, size, size * 2 // 3)
-            setcolor(LIGHTGRAY)
-            arc(left, top, 100, 160, size * 2 // 3)
-        setlinestyle(SOLID_LINE, 0, THICK_WIDTH)
-        up = np.arange(0, 190, 6)
-        for root, height, color in ((200, 180, GREEN), (222, 120, LIGHTGREEN), (184, 100, GREEN)):
-            for shift in (0, 400):
-                sway = 10 * np.sin(up / 22 + root) * up / 120
-                leaf = np.stack((root + shift * 0.96 + sway, 420 - up), axis=1)[: height // 6]
-                drawpoly(leaf, color=color)
-        setlinestyle(SOLID_LINE, 0, NORM_WIDTH)
-
     def swim(self) -> None:
-        """Every fish at its place: there and back, some in front of others."""
+        """Nine fish at their places, each on its way there and back: the last are in front."""
+        way = WIDTH + 100  # from beyond one edge of the picture to beyond the other
         for number in range(9):
-            fish, back = self.fish[number * 2 % 3]
-            way = 2 * (WIDTH + 100)
-            place = (number * 331 + self.time * (2 + number % 3)) % way
-            turned = place >= way // 2
-            x = way - place - 100 if turned else place - 100
-            y = 60 + 33 * number + 8 * np.sin(self.time / 20 + number)
-            put(x, int(y), back if turned else fish)
+            fish = self.kinds[2 * number % 3]
+            speed = 2 + number % 3
+            swum = (331 * number + speed * self.time) % (2 * way)
+            y = int(60 + 33 * number + 8 * sin(self.time / 20 + number))
+            if swum < way:
+                put(swum - 100, y, fish)
+            else:
+                put(2 * way - swum - 100, y, mirrored(fish))
 
     def move(self) -> None:
         """The picture, the fish on it, and the page is shown."""
@@ -231,6 +213,39 @@ class Aquarium:
         putimage(0, -BAR, self.picture, COPY_PUT)
         self.swim()
         swapbuffers()
+
+
+def water() -> None:
+    """Light on the water, then sand, stones and plants."""
+    setfillstyle(SOLID_FILL, BLUE)
+    bar(0, 0, WIDTH, HEIGHT)
+    setfillstyle(SOLID_FILL, LIGHTBLUE)
+    for top, height in ((0, 8), (12, 4), (22, 2), (32, 1), (44, 0)):
+        bar(0, top, WIDTH, top + height)
+    ground = [(x, 400 + round(12 * sin(x / 90))) for x in range(-20, WIDTH + 40, 20)]
+    setfillstyle(SOLID_FILL, BROWN)
+    setcolor(YELLOW)
+    fillpoly([*ground, (WIDTH + 20, HEIGHT), (-20, HEIGHT)])
+    setcolor(LIGHTGRAY)
+    setfillstyle(SOLID_FILL, DARKGRAY)
+    for left, top, size in ((470, 404, 60), (540, 418, 44), (420, 424, 30), (90, 426, 36)):
+        fillellipse(left, top, size, size * 2 // 3)
+        arc(left, top, 100, 160, size * 2 // 3)
+    setlinestyle(SOLID_LINE, 0, THICK_WIDTH)
+    for left in (0, 384):
+        plant(left + 200, 180, GREEN)
+        plant(left + 222, 120, LIGHTGREEN)
+        plant(left + 184, 96, GREEN)
+    setlinestyle(SOLID_LINE, 0, NORM_WIDTH)
+
+
+def plant(root: int, height: int, color: int) -> None:
+    """A stalk that sways more the higher it is."""
+    stalk = []
+    for up in range(0, height, 6):
+        sway = 10 * sin(up / 22 + root) * up / 120
+        stalk.append((root + sway, 420 - up))
+    drawpoly(stalk, color=color)
 
 
 SAUCERS, AQUARIUM = Saucers(), Aquarium()

@@ -3,29 +3,25 @@
     python demos/09_clock.py
 
 What it shows: gettime() and getdate() of `bgi.dos` return small structures, as in C. An angle goes
-to the screen by sine and cosine, and whole arrays of angles do so at once: all sixty marks are one
-call. The hands move on the page that is not shown. Any key ends.
+to the screen by sine and cosine: one function does so for the marks, the numbers and the hands. The
+hands move on the page that is not shown. Any key ends.
 """
 
-import math
-
-import numpy as np
+from math import cos, pi, sin
 
 from bgi import *
 from bgi import dos
 
 MODE = (VGA, VGAHI)
-X, Y, RADIUS = 240, 240, 200
-CALENDAR = 545
-MONTHS = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec".split()  # noqa: SIM905
-
-Point = tuple[float, float]
+X, Y, RADIUS = 240, 240, 200  # the clock
+CALENDAR = 545  # the middle of the calendar
+MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 
 
-def spot(turn: float, distance: float) -> Point:
-    """Where something is after that part of a turn, clockwise from twelve, so far from the axis."""
-    angle = 2 * math.pi * turn
-    return X + distance * math.sin(angle), Y - distance * math.cos(angle)
+def spot(turn: float, distance: float) -> tuple[int, int]:
+    """A place on the clock: a part of a turn, clockwise from twelve, and how far from the axis."""
+    angle = 2 * pi * turn
+    return round(X + distance * sin(angle)), round(Y - distance * cos(angle))
 
 
 def face() -> None:
@@ -33,28 +29,28 @@ def face() -> None:
     setcolor(CYAN)
     setfillstyle(SOLID_FILL, BLUE)
     fillellipse(X, Y, RADIUS + 20, RADIUS + 20)
-    circle(X, Y, (RADIUS + 17, RADIUS + 19), LIGHTCYAN)
-    angle = np.arange(60) * np.pi / 30
-    across, up = np.sin(angle), np.cos(angle)
-    inner = np.where(np.arange(60) % 5, RADIUS, RADIUS - 10)
-    color = np.where(np.arange(60) % 5, LIGHTGRAY, WHITE)
-    outer = RADIUS + 8
-    line(X + inner * across, Y - inner * up, X + outer * across, Y - outer * up, color)
+    circle(X, Y, RADIUS + 17, LIGHTCYAN)
+    circle(X, Y, RADIUS + 19, LIGHTCYAN)
+    for minute in range(60):
+        if minute % 5 == 0:
+            line(*spot(minute / 60, RADIUS - 10), *spot(minute / 60, RADIUS + 8), WHITE)
+        else:
+            line(*spot(minute / 60, RADIUS), *spot(minute / 60, RADIUS + 8), LIGHTGRAY)
     settextstyle(SANS_SERIF_FONT, HORIZ_DIR, 3)
     settextjustify(CENTER_TEXT, CENTER_TEXT)
     setcolor(WHITE)
     for hour in range(1, 13):
         x, y = spot(hour / 12, RADIUS - 32)
-        outtextxy(round(x), round(y) - 4, str(hour))
+        outtextxy(x, y - 4, str(hour))
 
 
 def hand(turn: float, length: float, width: float, color: int) -> None:
     """A hand: a narrow kite."""
-    back, side = spot(turn, -0.15 * length), 0.25
-    left, right = spot(turn - side, width), spot(turn + side, width)
+    back, tip = spot(turn, -0.15 * length), spot(turn, length)
+    left, right = spot(turn - 0.25, width), spot(turn + 0.25, width)
     setcolor(WHITE)
     setfillstyle(SOLID_FILL, color)
-    fillpoly([back, left, spot(turn, length), right])
+    fillpoly([back, left, tip, right])
 
 
 def calendar(day: int, month: int, year: int) -> None:
@@ -80,17 +76,17 @@ def picture(time: dos.time, date: dos.date) -> None:
     minutes = time.ti_min + time.ti_sec / 60
     hand((time.ti_hour % 12 + minutes / 60) / 12, 0.55 * RADIUS, 9, CYAN)
     hand(minutes / 60, 0.85 * RADIUS, 6, LIGHTCYAN)
-    setlinestyle(0, 0, THICK_WIDTH)
-    tip, end = spot(time.ti_sec / 60, 0.9 * RADIUS), spot(time.ti_sec / 60, -0.2 * RADIUS)
-    line(end[0], end[1], tip[0], tip[1], LIGHTRED)
-    setlinestyle(0, 0, 1)
+    seconds = time.ti_sec / 60
     setcolor(LIGHTRED)
+    setlinestyle(SOLID_LINE, 0, THICK_WIDTH)
+    line(*spot(seconds, -0.2 * RADIUS), *spot(seconds, 0.9 * RADIUS))
+    setlinestyle(SOLID_LINE, 0, NORM_WIDTH)
     setfillstyle(SOLID_FILL, YELLOW)
     fillellipse(X, Y, 6, 6)
     settextstyle(SANS_SERIF_FONT, HORIZ_DIR, 4)
     setcolor(YELLOW)
     outtextxy(CALENDAR, 320, f"{time.ti_hour}:{time.ti_min:02}:{time.ti_sec:02}")
-    settextstyle(0, HORIZ_DIR, 1)
+    settextstyle(DEFAULT_FONT, HORIZ_DIR, 1)
     setcolor(DARKGRAY)
     outtextxy(CALENDAR, 464, "any key: end")
     graphdefaults()

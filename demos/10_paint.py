@@ -8,7 +8,7 @@ be hidden while something is drawn. The right button rubs out, + and - change th
 Esc ends.
 """
 
-import numpy as np
+from math import cos, pi, sin
 
 from bgi import *
 from bgi import mouse
@@ -18,6 +18,7 @@ ESC = 27
 BAR = 40  # rows of the palette, above the canvas
 BOX = 28  # pixels of a colour's box, across and down
 LARGEST = 24
+LEFT_HELD = 1  # in the sum that mouse.buttons() returns
 
 
 class Brush:
@@ -30,26 +31,27 @@ class Brush:
 
     def stroke(self, x: int, y: int, color: int) -> None:
         """Paint from the last place to this one, below the palette."""
-        setviewport(0, BAR, 639, 479, 1)
+        setviewport(0, BAR, getmaxx(), getmaxy(), 1)
         setcolor(color)
         setfillstyle(SOLID_FILL, color)
         from_x, from_y = self.last or (x, y)
-        steps = max(abs(x - from_x), abs(y - from_y)) // max(self.size // 2, 1) + 1
-        across = np.linspace(from_x, x, steps + 1)
-        down = np.linspace(from_y, y, steps + 1) - BAR
-        if self.size > 1:
-            for spot in zip(across, down, strict=True):
-                fillellipse(*spot, self.size // 2, self.size // 2)
+        if self.size == 1:
+            line(from_x, from_y - BAR, x, y - BAR)
         else:
-            line(across[0], down[0], across[-1], down[-1], color)
-        setviewport(0, 0, 639, 479, 1)
+            radius = self.size // 2
+            steps = 1 + max(abs(x - from_x), abs(y - from_y)) // radius
+            for step in range(steps + 1):  # discs so near to each other that they join
+                across = from_x + (x - from_x) * step / steps
+                down = from_y + (y - from_y) * step / steps
+                fillellipse(across, down - BAR, radius, radius)
+        setviewport(0, 0, getmaxx(), getmaxy(), 1)
         self.last = x, y
 
 
 def palette(brush: Brush) -> None:
     """Sixteen boxes, the chosen one framed, and the brush."""
     setfillstyle(SOLID_FILL, LIGHTGRAY)
-    bar(0, 0, 639, BAR - 1)
+    bar(0, 0, getmaxx(), BAR - 1)
     for color in range(16):
         left = 6 + (BOX + 2) * color
         setfillstyle(SOLID_FILL, color)
@@ -75,34 +77,36 @@ def choose(brush: Brush, x: int) -> None:
 def follow(brush: Brush) -> None:
     """Do what the mouse says: left paints and chooses, right rubs out."""
     times, left, top = mouse.presses(mouse.LEFT)
-    if times and top < BAR:  # however short the click was
+    if times > 0 and top < BAR:  # however short the click was
         choose(brush, left)
     x, y = mouse.position()
     held = mouse.buttons()
-    if not held:
+    if held == 0:
         brush.last = None
     elif y >= BAR or brush.last is not None:
-        brush.stroke(x, y, brush.color if held & 1 else BLACK)
+        brush.stroke(x, y, brush.color if held & LEFT_HELD else BLACK)
 
 
 def obey(brush: Brush, key: str) -> None:
     """Do what a key says."""
     if key == "c":
         setfillstyle(SOLID_FILL, BLACK)
-        bar(0, BAR, 639, 479)
-    elif key in "+-":
-        brush.size = min(max(brush.size + (2 if key == "+" else -2), 1), LARGEST)
-        palette(brush)
+        bar(0, BAR, getmaxx(), getmaxy())
+    elif key == "+":
+        brush.size = min(brush.size + 2, LARGEST)
+    elif key == "-":
+        brush.size = max(brush.size - 2, 1)
+    palette(brush)
 
 
 def draw() -> None:
     """A spiral in all colours, painted as the mouse would."""
     brush = Brush()
-    for turn in np.linspace(0, 8 * np.pi, 400):
-        brush.color = 1 + int(turn * 15 / (8 * np.pi)) % 15
-        brush.size = 3 + 2 * int(turn / 3)
-        radius = 7 * turn
-        x, y = 320 + radius * np.cos(turn) * 1.5, 260 + radius * np.sin(turn)
+    for step in range(400):
+        angle = 8 * pi * step / 400  # four turns
+        brush.color = BLUE + 15 * step // 400
+        brush.size = 3 + 2 * int(angle / 3)
+        x, y = 320 + 10.5 * angle * cos(angle), 260 + 7 * angle * sin(angle)
         brush.stroke(int(x), int(y), brush.color)
     palette(brush)
 
@@ -114,13 +118,13 @@ def main() -> None:
     palette(brush)
     mouse.reset()
     mouse.show()
-    code = 0
-    while code != ESC:
+    key = 0
+    while key != ESC:
         while not kbhit():
             follow(brush)
             delay(5)
-        code = getch()
-        obey(brush, chr(code))
+        key = getch()
+        obey(brush, chr(key))
     mouse.reset()
 
 

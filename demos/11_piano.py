@@ -19,9 +19,10 @@ BLACK_WIDTH, BLACK_HEIGHT = 26, 150
 LOWEST = 261.63  # middle C, in hertz; every key is a twelfth of an octave above the one before
 MILLISECONDS = 180  # that a key of the keyboard sounds
 
-WHITE_KEYS = (0, 2, 4, 5, 7, 9, 11)
+BLACK_KEYS = (1, 3, 6, 8, 10)  # half tones above C
 LETTERS = "awsedftgyhujk"  # half tone by half tone, from C to C
-TUNE = "d d f g g f d s a a s d d:3 s:1 s:4"
+TUNE = "d d f g g f d s a a s d d:3 s:1 s:4"  # letters; a number is a length, which is else 2
+LEFT_HELD = 1  # in the sum that mouse.buttons() returns
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ class Key:
         return float(LOWEST * 2 ** (self.tone / 12))
 
     def holds(self, x: int, y: int) -> bool:
-        """Whether a point is on it; black keys are asked first."""
+        """Whether a point is on it."""
         width, height = (BLACK_WIDTH, BLACK_HEIGHT) if self.black else (WIDTH, HEIGHT)
         return self.left <= x < self.left + width and TOP <= y < TOP + height
 
@@ -59,14 +60,16 @@ class Key:
 
 def keyboard() -> list[Key]:
     """Two octaves, black keys last: they lie on top."""
-    keys = []
+    whites: list[Key] = []
+    blacks: list[Key] = []
     for tone in range(24):
-        octave, step = divmod(tone, 12)
-        black = step not in WHITE_KEYS
-        place = 7 * octave + sum(step > white for white in WHITE_KEYS)
-        left = LEFT + WIDTH * place - (BLACK_WIDTH // 2 if black else 0)
-        keys.append(Key(tone, left, black, LETTERS[tone] if tone < len(LETTERS) else ""))
-    return sorted(keys, key=lambda key: key.black)
+        letter = LETTERS[tone] if tone < len(LETTERS) else ""
+        edge = LEFT + WIDTH * len(whites)  # the right edge of the white keys so far
+        if tone % 12 in BLACK_KEYS:
+            blacks.append(Key(tone, edge - BLACK_WIDTH // 2, True, letter))
+        else:
+            whites.append(Key(tone, edge, False, letter))
+    return whites + blacks
 
 
 KEYS = keyboard()
@@ -89,7 +92,7 @@ def play(key: Key, milliseconds: float) -> None:
 
 
 def tune() -> None:
-    """A melody, written down as letters; a number is its length."""
+    """A melody, until a key is pressed."""
     for note in TUNE.split():
         letter, _, length = note.partition(":")
         play(BY_LETTER[letter], 110 * int(length or 2))
@@ -100,13 +103,16 @@ def tune() -> None:
 
 def key_at(x: int, y: int) -> Key | None:
     """The key at a point."""
-    return next((key for key in reversed(KEYS) if key.holds(x, y)), None)
+    for key in reversed(KEYS):  # the black ones first: they lie on top
+        if key.holds(x, y):
+            return key
+    return None
 
 
 def follow_mouse() -> None:
     """Play what the mouse holds down, until it lets go."""
     held = None
-    while mouse.buttons() & 1:
+    while mouse.buttons() & LEFT_HELD:
         key = key_at(*mouse.position())
         if key != held:
             press(key)
@@ -150,10 +156,11 @@ def main() -> None:
             follow_mouse()
             delay(5)
         code = getch()
+        letter = chr(code)
         if code == SPACE:
             tune()
-        elif chr(code) in BY_LETTER:
-            play(BY_LETTER[chr(code)], MILLISECONDS)
+        elif letter in BY_LETTER:
+            play(BY_LETTER[letter], MILLISECONDS)
     mouse.reset()
 
 

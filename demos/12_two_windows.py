@@ -29,7 +29,7 @@ def ink(step: int) -> int:
 
 def mark(x: float, y: float, color: int) -> None:
     """A dot of the pen in the current window."""
-    setfillstyle(1, color)
+    setfillstyle(SOLID_FILL, color)
     setcolor(color)
     width, height = getmaxx() // 2, getmaxy() // 2
     fillellipse(width + int(0.85 * width * x), height + int(0.8 * height * y), 4, 4)
@@ -56,17 +56,16 @@ def main() -> None:
     second = initwindow(400, 300, "the second window")
     title("the second window")
     step = 0
-    while True:
+    setcurrentwindow(first)
+    while not kbhit():
         x, y = point(step)
-        setcurrentwindow(first)
-        if kbhit():
-            break
-        mark(x, y, ink(step) if step // STEPS % 2 == 0 else BLACK)
+        rubbing_out = step // STEPS % 2 == 1  # every second time round
+        mark(x, y, BLACK if rubbing_out else ink(step))
         setcurrentwindow(second)
         mark(-x, -y, COLOR(255 * (step % STEPS) // STEPS, 128, 255))
+        setcurrentwindow(first)
         delay(4)
         step += 1
-    setcurrentwindow(first)
     getch()
     closewindow(second)
 

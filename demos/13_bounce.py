@@ -2,143 +2,163 @@
 
     python demos/13_bounce.py
 
-What it shows: every picture is drawn anew on the page that is not shown; swapbuffers() then shows
-it whole and hands over the other page. All balls are one array of polygons, painted by one call
-from the farthest to the nearest. Space stops and starts, any other key ends.
+What it shows: a room of three dimensions needs only one idea: what is twice as far from the eye
+appears half as large. The room stands still, so it is drawn once and kept as an image. Each picture
+is made on the page that is not shown: first the room, then the shadows, then the balls from the
+farthest to the nearest. Space stops and starts, any other key ends.
 """
-
-from dataclasses import dataclass
-
-import numpy as np
-from numpy.typing import NDArray
 
 from bgi import *
 
 MODE = (VGA, VGAHI)
 SPACE = ord(" ")
-Floats = NDArray[np.float64]
 
 # The room, in metres: x to the right, y up, z away from the eye. Its front is the screen.
-LOW, HIGH = np.array((-4, 0, 0)), np.array((4, 6, 8))
-EYE_HEIGHT, EYE_DISTANCE, PIXELS_PER_METRE = 3, 8, 80
+LEFT, RIGHT, FLOOR, CEILING, FRONT, BACK = -4, 4, 0, 6, 0, 8
+EYE_HEIGHT, EYE_DISTANCE = 3, 8
+PIXELS_PER_METRE = 80
 RADIUS = 0.55
 GRAVITY = 0.006  # metres per picture, per picture
-TURN = np.linspace(0, 2 * np.pi, 28, endpoint=False)
-# A ball is three discs: its size, how far it is shifted to the light, and its colour.
-DISCS = ((1.0, 0.0), (0.72, 0.2), (0.2, 0.42))
-COLORS = np.array(
-    (
-        (RED, LIGHTRED, WHITE),
-        (BROWN, YELLOW, WHITE),
-        (GREEN, LIGHTGREEN, WHITE),
-        (CYAN, LIGHTCYAN, WHITE),
-        (BLUE, LIGHTBLUE, WHITE),
-        (MAGENTA, LIGHTMAGENTA, WHITE),
-    )
-)
-
-TILES = np.array(
-    [
-        ((x, 0, z), (x + 1, 0, z), (x + 1, 0, z + 1), (x, 0, z + 1))
-        for x in range(-4, 4)
-        for z in range(8)
-    ]
-)
-TILE_COLORS = np.array([(DARKGRAY, LIGHTGRAY)[(x + z) % 2] for x in range(8) for z in range(8)])
-LINES = np.array(
-    [
-        *(((x, 0, 8), (x, 6, 8)) for x in range(-4, 5)),
-        *(((x, 6, 0), (x, 6, 8)) for x in range(-4, 5)),
-        *(((-4, y, 8), (4, y, 8)) for y in range(7)),
-        *(((x, y, 0), (x, y, 8)) for x in (-4, 4) for y in range(7)),
-        *(((-4, 6, z), (4, 6, z)) for z in range(9)),
-        *(((x, 0, z), (x, 6, z)) for x in (-4, 4) for z in range(9)),
-    ]
-)
 
 
-def project(points: Floats) -> Floats:
-    """Where points (..., 3) of the room appear on the screen (..., 2)."""
-    x, y, z = np.moveaxis(points, -1, 0)
-    scale = PIXELS_PER_METRE * EYE_DISTANCE / (z + EYE_DISTANCE)
-    return np.stack((320 + x * scale, 240 - (y - EYE_HEIGHT) * scale), axis=-1)
+def scale(z: float) -> float:
+    """How many pixels a metre has at a distance."""
+    return PIXELS_PER_METRE * EYE_DISTANCE / (z + EYE_DISTANCE)
 
 
-def disc(center: Floats, radius: float, across: Floats, up: Floats) -> Floats:
-    """Round polygons (n, k, 3) about n centres, in the plane of two directions."""
-    rim = np.outer(np.cos(TURN), across) + np.outer(np.sin(TURN), up)
-    polygons: Floats = center[:, None] + radius * rim
-    return polygons
+def project(x: float, y: float, z: float) -> tuple[int, int]:
+    """Where a point of the room appears on the screen."""
+    return round(320 + x * scale(z)), round(240 - (y - EYE_HEIGHT) * scale(z))
 
 
-RIGHT, UP, AWAY = np.eye(3)
+class Ball:
+    """A ball: its colours, where it is and how it flies."""
 
-
-@dataclass
-class Balls:
-    """Where the balls are and how they fly."""
-
-    place: Floats
-    speed: Floats
-
-    @classmethod
-    def scattered(cls) -> "Balls":
-        """Six balls, always the same ones."""
-        random = np.random.default_rng(1121)
-        return cls(random.uniform(LOW + 1, HIGH - 1, (6, 3)), random.uniform(-0.06, 0.06, (6, 3)))
+    def __init__(self, dark: int, light: int, place: list[float], speed: list[float]) -> None:
+        self.dark, self.light = dark, light
+        self.x, self.y, self.z = place
+        self.dx, self.dy, self.dz = speed
 
     def move(self) -> None:
         """One picture's time: fall, fly, and come back from the walls."""
-        self.speed[:, 1] -= GRAVITY
-        self.place += self.speed
-        outside = (self.place < LOW + RADIUS) | (self.place > HIGH - RADIUS)
-        inside = np.clip(self.place, LOW + RADIUS, HIGH - RADIUS)
-        self.place = np.where(outside, 2 * inside - self.place, self.place)
-        self.speed = np.where(outside, -self.speed, self.speed)
+        self.dy -= GRAVITY
+        self.x += self.dx
+        self.y += self.dy
+        self.z += self.dz
+        if self.x < LEFT + RADIUS or self.x > RIGHT - RADIUS:
+            self.dx = -self.dx
+            self.x += self.dx
+        if self.y < FLOOR + RADIUS or self.y > CEILING - RADIUS:
+            self.dy = -self.dy
+            self.y += self.dy
+        if self.z < FRONT + RADIUS or self.z > BACK - RADIUS:
+            self.dz = -self.dz
+            self.z += self.dz
+
+    def draw_shadow(self) -> None:
+        """A black ellipse on the floor, below the ball."""
+        x, y = project(self.x, FLOOR, self.z)
+        _, near = project(self.x, FLOOR, self.z - RADIUS)
+        setcolor(BLACK)
+        setfillstyle(SOLID_FILL, BLACK)
+        fillellipse(x, y, round(RADIUS * scale(self.z)), near - y)
 
     def draw(self) -> None:
-        """Shadows first; then the balls, the farthest first."""
-        shadows = disc(self.place * (1, 0, 1), RADIUS, RIGHT, AWAY)
-        fillpoly(project(shadows), fill=BLACK, color=BLACK)
-        order = np.argsort(-self.place[:, 2])
-        place, colors = self.place[order], COLORS[order].ravel()
-        light = RADIUS * (UP - RIGHT)
-        discs = [disc(place + shift * light, size * RADIUS, RIGHT, UP) for size, shift in DISCS]
-        balls = np.stack(discs, axis=1).reshape(-1, len(TURN), 3)
-        fillpoly(project(balls), fill=colors, color=colors)
+        """Three discs: the ball, its lit side, and the reflection of the lamp."""
+        self.disc(1.0, 0.0, self.dark)
+        self.disc(0.72, 0.2, self.light)
+        self.disc(0.2, 0.42, WHITE)
+
+    def disc(self, size: float, shift: float, color: int) -> None:
+        """A disc, of a part of the ball's size and shifted towards the lamp, upper left."""
+        x, y = project(self.x - shift * RADIUS, self.y + shift * RADIUS, self.z)
+        radius = round(size * RADIUS * scale(self.z))
+        setcolor(color)
+        setfillstyle(SOLID_FILL, color)
+        fillellipse(x, y, radius, radius)
+
+
+def six_balls() -> list[Ball]:
+    """Always the same ones."""
+    return [
+        Ball(RED, LIGHTRED, [-1.4, 4.4, 7.2], [-0.04, 0.02, -0.03]),
+        Ball(BROWN, YELLOW, [1.2, 4.5, 5.4], [-0.04, 0.03, 0.02]),
+        Ball(GREEN, LIGHTGREEN, [-2.0, 3.5, 3.1], [-0.03, 0.0, -0.05]),
+        Ball(CYAN, LIGHTCYAN, [2.2, 5.1, 1.2], [0.02, -0.02, 0.04]),
+        Ball(BLUE, LIGHTBLUE, [2.1, 4.2, 2.8], [-0.05, 0.01, -0.04]),
+        Ball(MAGENTA, LIGHTMAGENTA, [-0.2, 4.7, 2.5], [0.04, 0.04, 0.03]),
+    ]
 
 
 def draw_room() -> None:
     """A floor of tiles, and a line every metre on the other walls."""
-    fillpoly(project(TILES), fill=TILE_COLORS, color=TILE_COLORS)
-    ends = project(LINES)
-    line(ends[:, 0, 0], ends[:, 0, 1], ends[:, 1, 0], ends[:, 1, 1], BLUE)
+    for z in range(FRONT, BACK):
+        for x in range(LEFT, RIGHT):
+            color = LIGHTGRAY if (x + z) % 2 else DARKGRAY
+            corners = ((x, z), (x + 1, z), (x + 1, z + 1), (x, z + 1))
+            fillpoly([project(x, FLOOR, z) for x, z in corners], fill=color, color=color)
+    setcolor(BLUE)
+    for x in range(LEFT, RIGHT + 1):
+        segment((x, FLOOR, BACK), (x, CEILING, BACK))
+        segment((x, CEILING, FRONT), (x, CEILING, BACK))
+    for y in range(FLOOR, CEILING + 1):
+        segment((LEFT, y, BACK), (RIGHT, y, BACK))
+        segment((LEFT, y, FRONT), (LEFT, y, BACK))
+        segment((RIGHT, y, FRONT), (RIGHT, y, BACK))
+    for z in range(FRONT, BACK + 1):
+        segment((LEFT, CEILING, z), (RIGHT, CEILING, z))
+        segment((LEFT, FLOOR, z), (LEFT, CEILING, z))
+        segment((RIGHT, FLOOR, z), (RIGHT, CEILING, z))
+
+
+def segment(start: tuple[int, int, int], end: tuple[int, int, int]) -> None:
+    """A line in the room."""
+    line(*project(*start), *project(*end))
+
+
+def distance(ball: Ball) -> float:
+    """How far a ball is: what the balls are sorted by."""
+    return ball.z
+
+
+def draw_balls(balls: list[Ball]) -> None:
+    """Shadows first; then the balls, the farthest first."""
+    for ball in balls:
+        ball.draw_shadow()
+    for ball in sorted(balls, key=distance, reverse=True):
+        ball.draw()
 
 
 def draw() -> None:
     """One moment of the flight."""
-    balls = Balls.scattered()
+    balls = six_balls()
     for _ in range(30):
-        balls.move()
+        for ball in balls:
+            ball.move()
     draw_room()
-    balls.draw()
+    draw_balls(balls)
 
 
 def main() -> None:
     """Fly until a key other than space comes."""
     initgraph(*MODE)
-    balls = Balls.scattered()
+    draw_room()
+    room = getimage(0, 0, getmaxx(), getmaxy())
+    balls = six_balls()
+    key = SPACE
     flying = True
-    while flying:
-        balls.move()
-        cleardevice()
-        draw_room()
-        balls.draw()
+    while key == SPACE:
+        if flying:
+            for ball in balls:
+                ball.move()
+        putimage(0, 0, room, COPY_PUT)
+        draw_balls(balls)
         setcolor(WHITE)
         outtextxy(8, 8, "space: stop   any other key: end")
         swapbuffers()
-        if kbhit():  # a space stops the balls; they wait for the next key
-            flying = getch() == SPACE and getch() == SPACE
+        if kbhit():
+            key = getch()
+            flying = not flying
 
 
 if __name__ == "__main__":

@@ -7,9 +7,12 @@ charts, curves, text in every font, XOR, images, palettes and the modes of other
 is one short function: read the one whose picture you want to draw.
 """
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple
+from math import cos, radians, sin
+from random import Random
 
 import numpy as np
+from numpy.typing import NDArray
 
 from bgi import *
 from gallery.pages import Page, leaf_through, show
@@ -17,11 +20,26 @@ from gallery.pages import Page, leaf_through, show
 MODE = (VGA, VGAHI)
 HUES = (LIGHTRED, YELLOW, LIGHTGREEN, LIGHTCYAN, LIGHTBLUE, LIGHTMAGENTA)
 CROP = (("apples", 34), ("pears", 22), ("plums", 15), ("cherries", 18), ("quinces", 11))
+# A font, the size that suits it, and a word of it.
 WORDS = (
-    *("8 x 8", "Triplex", "Small", "Sans serif", "Gothic", "Script"),
-    *("Simplex", "Triplex script", "Complex", "European", "Bold"),
+    (DEFAULT_FONT, 2, "8 x 8"),
+    (TRIPLEX_FONT, 4, "Triplex"),
+    (SMALL_FONT, 8, "Small"),
+    (SANS_SERIF_FONT, 4, "Sans serif"),
+    (GOTHIC_FONT, 4, "Gothic"),
+    (SCRIPT_FONT, 4, "Script"),
+    (SIMPLEX_FONT, 4, "Simplex"),
+    (TRIPLEX_SCR_FONT, 4, "Triplex script"),
+    (COMPLEX_FONT, 4, "Complex"),
+    (EUROPEAN_FONT, 2, "European"),
+    (BOLD_FONT, 2, "Bold"),
 )
-chance = np.random.default_rng(1987)
+chance = Random(1987)
+
+
+def hue(number: int) -> int:
+    """The six hues in turn."""
+    return HUES[number % len(HUES)]
 
 
 def write(x: int, y: int, text: str, color: int = LIGHTGRAY) -> None:
@@ -44,8 +62,9 @@ def heading(text: str, y: int = 34) -> None:
 
 def welcome() -> None:
     """A title, wreathed by ellipses."""
-    ring = np.arange(24)
-    ellipse(319, 227, 0, 360, 310 - 6 * ring, 90 + 5 * ring, np.array(HUES)[ring // 4])
+    for ring in range(24):
+        setcolor(hue(ring // 4))
+        ellipse(319, 227, 0, 360, 310 - 6 * ring, 90 + 5 * ring)
     settextjustify(CENTER_TEXT, CENTER_TEXT)
     settextstyle(BOLD_FONT, HORIZ_DIR, USER_CHAR_SIZE)
     setusercharsize(3, 2, 3, 2)
@@ -85,21 +104,24 @@ def status() -> None:
 
 
 def galaxy() -> None:
-    """Six thousand stars in two arms, one call."""
+    """Six thousand stars in two arms, one call: where a number goes, an array goes too."""
     heading("putpixel with arrays")
-    along = chance.random(6000)
-    turn = 7 * along + np.pi * chance.integers(0, 2, 6000) + chance.normal(0, 0.3, 6000)
-    reach = 20 + 270 * along + chance.normal(0, 8, 6000)
+    random = np.random.default_rng(1987)
+    along = random.random(6000)
+    turn = 7 * along + np.pi * random.integers(0, 2, 6000) + random.normal(0, 0.3, 6000)
+    reach = 20 + 270 * along + random.normal(0, 8, 6000)
     x, y = 320 + reach * np.cos(turn), 262 + 0.62 * reach * np.sin(turn)
     hot = np.array((WHITE, YELLOW, LIGHTRED, LIGHTMAGENTA, LIGHTBLUE, BLUE))
     putpixel(x, y, hot[np.int64(along * 6)])
 
 
 def twinkle() -> None:
-    """Swap the colours of two hundred places: what is dark stays dark."""
-    x, y = chance.integers((0, 70), (640, 456), (2000, 2)).T
-    here = getpixel(x, y)
-    putpixel(x, y, np.where(here > 0, 8 + (here + 1) % 8, 0))
+    """Give stars another colour: what is dark stays dark."""
+    for _ in range(2000):
+        x, y = chance.randrange(640), chance.randrange(70, 456)
+        color = getpixel(x, y)
+        if color != BLACK:
+            putpixel(x, y, DARKGRAY + (color + 1) % 8)
 
 
 def styles() -> None:
@@ -114,7 +136,7 @@ def styles() -> None:
             line(170, 84 + 36 * style + 12 * row, 600, 84 + 36 * style + 12 * row)
     for row in range(16):
         setlinestyle(USERBIT_LINE, 0xFFFF >> row, NORM_WIDTH)
-        line(170, 244 + 12 * row, 600, 244 + 12 * row, HUES[row % 6])
+        line(170, 244 + 12 * row, 600, 244 + 12 * row, hue(row))
         write(40, 241 + 12 * row, f"user, {0xFFFF >> row:04X}", DARKGRAY)
 
 
@@ -123,7 +145,7 @@ def walk() -> None:
     heading("moveto, linerel, lineto")
     moveto(320, 262)
     for step in range(1, 46):
-        setcolor(HUES[step // 4 % 6])
+        setcolor(hue(step // 4))
         forth = 1 if step % 2 else -1
         linerel(forth * 13 * step, 0)
         linerel(0, forth * 8 * step)
@@ -138,7 +160,7 @@ def arcs() -> None:
     """Quarter by quarter, growing; getarccoords() tells where each ends."""
     heading("arc, ellipse, getarccoords")
     for step in range(60):
-        setcolor(HUES[step // 4 % 6])
+        setcolor(hue(step // 4))
         ellipse(320, 262, 90 * step, 90 * step + 90, 20 + 4 * step, 14 + 3 * step)
         ends = getarccoords()
         fillellipse(ends.xend, ends.yend, 2, 2)
@@ -151,9 +173,9 @@ def circles() -> None:
 
 def another_circle() -> None:
     """Random in every way."""
-    setlinestyle(SOLID_LINE, 0, int(chance.choice((NORM_WIDTH, THICK_WIDTH))))
-    x, y, radius, color = chance.integers((0, 70, 5, 1), (640, 456, 60, 16))
-    circle(x, y, radius, color)
+    setlinestyle(SOLID_LINE, 0, chance.choice((NORM_WIDTH, THICK_WIDTH)))
+    setcolor(chance.randrange(BLUE, WHITE + 1))
+    circle(chance.randrange(640), chance.randrange(70, 456), chance.randrange(5, 60))
 
 
 def ratios() -> None:
@@ -162,7 +184,7 @@ def ratios() -> None:
     xasp, yasp = getaspectratio()
     for step in range(20):
         setaspectratio(xasp * (20 - step) // 20, yasp)
-        circle(320, 262, 180, HUES[step % 6])
+        circle(320, 262, 180, hue(step))
     setaspectratio(xasp, yasp)
 
 
@@ -211,7 +233,7 @@ def patterns() -> None:
     heading("setfillstyle")
     for pattern in range(USER_FILL):
         left, top = 46 + 140 * (pattern % 4), 80 + 122 * (pattern // 4)
-        setfillstyle(pattern, HUES[pattern % 6])
+        setfillstyle(pattern, hue(pattern))
         bar(left, top, left + 124, top + 100)
         rectangle(left, top, left + 124, top + 100)
 
@@ -228,21 +250,25 @@ def fan() -> None:
 def flood() -> None:
     """Circles that cross, and what is poured into the cells between them."""
     heading("floodfill")
-    turn = np.radians(np.arange(0, 360, 60))
-    x, y = 320 + 95 * np.cos(turn), 262 - 95 * np.sin(turn)
-    circle(x, y, 95)
+    setcolor(WHITE)
     circle(320, 262, 189)
-    cells = (
-        (0, 50, SOLID_FILL),
-        (0, 140, CLOSE_DOT_FILL),
-        (30, 110, HATCH_FILL),
-        (30, 178, LINE_FILL),
-    )
+    for degrees in range(0, 360, 60):
+        circle(*polar(degrees, 95), 95)
     for place in range(6):
+        cells = (
+            (60 * place, 50, SOLID_FILL),
+            (60 * place, 140, CLOSE_DOT_FILL),
+            (60 * place + 30, 110, HATCH_FILL),
+            (60 * place + 30, 178, LINE_FILL),
+        )
         for number, (degrees, reach, pattern) in enumerate(cells):
-            angle = np.radians(60 * place + degrees)
-            setfillstyle(pattern, HUES[(place + number) % 6])
-            floodfill(320 + reach * np.cos(angle), 262 - reach * np.sin(angle), WHITE)
+            setfillstyle(pattern, hue(place + number))
+            floodfill(*polar(degrees, reach), WHITE)
+
+
+def polar(degrees: float, reach: float) -> tuple[float, float]:
+    """The point in that direction from the page's middle, and that far away."""
+    return 320 + reach * cos(radians(degrees)), 262 - reach * sin(radians(degrees))
 
 
 # Text
@@ -251,10 +277,10 @@ def flood() -> None:
 def fonts() -> None:
     """A word of each font."""
     heading("settextstyle")
-    for font, word in enumerate(WORDS):
-        settextstyle(font, HORIZ_DIR, (2, 4, 8, 4, 4, 4, 4, 4, 4, 2, 2)[font])
-        settextjustify(LEFT_TEXT, CENTER_TEXT)
-        write(60 + 290 * (font % 2), 96 + 64 * (font // 2), word, HUES[font % 6])
+    settextjustify(LEFT_TEXT, CENTER_TEXT)
+    for font, size, word in WORDS:
+        settextstyle(font, HORIZ_DIR, size)
+        write(60 + 290 * (font % 2), 96 + 64 * (font // 2), word, hue(font))
 
 
 # Screen
@@ -267,29 +293,28 @@ def viewports() -> None:
         left, top = 20 + 204 * (place % 3), 94 + 128 * (place // 3)
         rectangle(left - 1, top - 25, left + 192, top + 92, DARKGRAY)
         setviewport(left, top, left + 191, top + 115, 1)
-        radius = np.arange(8, 200, 8)
-        circle(96 * (place % 3), 58 * (place // 3), radius, HUES[place % 6])
+        for radius in range(8, 200, 8):
+            circle(96 * (place % 3), 58 * (place // 3), radius, hue(place))
         setviewport(0, 24, getmaxx(), getmaxy(), 1)
 
 
-@dataclass
 class Searchlight:
     """A box that goes about on a web of lines, both in XOR mode."""
 
-    turn: float = 0.0
+    turn = 0.0
 
     def draw(self) -> None:
         """The web, and the box at its first place."""
         heading("setwritemode(XOR_PUT)")
         setwritemode(XOR_PUT)
-        angle = np.radians(np.arange(0, 360, 3))
-        line(320, 262, 320 + 190 * np.cos(angle), 262 - 190 * np.sin(angle), LIGHTCYAN)
+        for degrees in range(0, 360, 3):
+            line(320, 262, *polar(degrees, 190), LIGHTCYAN)
         self.box()
 
     def box(self) -> None:
         """Drawn, or taken away: that is the same call."""
         setlinestyle(SOLID_LINE, 0, THICK_WIDTH)
-        x, y = 320 + 150 * np.cos(self.turn), 262 + 90 * np.sin(2 * self.turn)
+        x, y = 320 + 150 * cos(self.turn), 262 + 90 * sin(2 * self.turn)
         rectangle(x - 90, y - 60, x + 90, y + 60, LIGHTRED)
 
     def move(self) -> None:
@@ -309,12 +334,18 @@ def kaleidoscope() -> None:
 def another_splinter() -> None:
     """A triangle more: images are arrays, and arrays can be turned around."""
     setviewport(100, 104, 319, 289, 1)
-    corner = chance.integers((0, 0), (220, 186), (1, 2))
-    color = int(chance.choice(HUES))
-    fillpoly(corner + chance.integers(-40, 40, (3, 2)), fill=color, color=BLACK)
+    x, y = chance.randrange(220), chance.randrange(186)
+    corners = [(x + chance.randrange(-40, 40), y + chance.randrange(-40, 40)) for _ in range(3)]
+    fillpoly(corners, fill=chance.choice(HUES), color=BLACK)
     image = getimage(0, 0, 219, 185)
-    for x, y, look in ((1, 0, np.s_[:, ::-1]), (0, 1, np.s_[::-1]), (1, 1, np.s_[::-1, ::-1])):
-        putimage(220 * x, 186 * y, Image(image.array[look], image.colors), COPY_PUT)
+    put_array(220, 0, image.array[:, ::-1])
+    put_array(0, 186, image.array[::-1, :])
+    put_array(220, 186, image.array[::-1, ::-1])
+
+
+def put_array(x: int, y: int, pixels: NDArray[np.uint8]) -> None:
+    """Rows of pixels as an image."""
+    putimage(x, y, Image(pixels), COPY_PUT)
 
 
 # Colours and modes
@@ -323,17 +354,17 @@ def another_splinter() -> None:
 def swatches() -> None:
     """Fifteen beams; their looks will change, their pixels will not."""
     heading("setpalette, getpalette")
-    turn = np.radians(np.arange(16) * 12)
-    x, y = 320 + 300 * np.cos(turn), 440 - 340 * np.sin(turn)
-    beams = np.stack((np.full(15, 320), np.full(15, 440), x[:-1], y[:-1], x[1:], y[1:]), axis=1)
-    fillpoly(beams.reshape(15, 3, 2), fill=np.arange(1, 16), color=np.arange(1, 16))
+    for color in range(1, 16):
+        beam = [(320, 440)]
+        for angle in (radians(12 * color - 12), radians(12 * color)):
+            beam.append((round(320 + 300 * cos(angle)), round(440 - 340 * sin(angle))))
+        fillpoly(beam, fill=color, color=color)
 
 
 def another_look() -> None:
     """A colour takes one of the 64 that the EGA could mix; the bar's and the text's stay."""
-    setpalette(
-        int(chance.choice((1, 2, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14))), chance.integers(64)
-    )
+    color = chance.choice((1, 2, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14))
+    setpalette(color, chance.randrange(64))
 
 
 def mode_page() -> None:
@@ -341,8 +372,10 @@ def mode_page() -> None:
     colors = min(getmaxcolor() + 1, 256)
     view = getviewsettings()
     width, height = view.right - view.left + 1, view.bottom - view.top + 1
-    edges = np.linspace(0, width, colors + 1).astype(int)
-    bar(edges[:-1], height * 2 // 3, edges[1:] - 1, height, np.arange(colors))
+    for color in range(colors):
+        setfillstyle(SOLID_FILL, color)
+        left, right = width * color // colors, width * (color + 1) // colors
+        bar(left, height * 2 // 3, right - 1, height)
     setlinestyle(SOLID_LINE, 0, THICK_WIDTH)
     circle(width * 3 // 4, height // 3, height // 4 * 10000 // getaspectratio()[0])
     settextjustify(CENTER_TEXT, CENTER_TEXT)

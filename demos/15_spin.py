@@ -2,9 +2,9 @@
 
     python demos/15_spin.py
 
-What it shows: ``surfaces.surface`` draws z = f(x, y) with pixels only, 40,000 cells of it.  A turn
-is one matrix, made anew for each picture from two angles.  Each picture is drawn on the page that
-is not shown, and ``swapbuffers`` then shows it whole: that is why nothing flickers.
+What it shows: `surfaces.surface` draws z = f(x, y) with pixels only, 40,000 cells of it. A turn is
+one matrix, made anew for each picture from two angles. Each picture is drawn on the page that is
+not shown, and `swapbuffers` then shows it whole: that is why nothing flickers.
 
     1 2 3 4   the four functions of the paper      w m f b   wire, mesh, filled, both
     arrows    turn                                 space     start and stop
@@ -12,15 +12,16 @@ is not shown, and ``swapbuffers`` then shows it whole: that is why nothing flick
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import radians
 
 from bgi import *
 from surfaces import FIGURES, compose, rotation, surface
 
 MODE = (IBM8514, IBM8514LO)
 ESC, SPACE = 27, ord(" ")
-# The second half of an arrow key -> how far it turns (about z, about y), in degrees.
-ARROWS = {75: (-5, 0), 77: (5, 0), 72: (0, 5), 80: (0, -5)}
+# What getch() returns for an arrow key after the 0.
+LEFT, RIGHT, UP, DOWN = 75, 77, 72, 80
+STEP = 5  # degrees that an arrow key turns
 MODES = {ord("w"): "wire", ord("m"): "mesh", ord("f"): "fill", ord("b"): "fill+mesh"}
 HELP = "1-4 function  w m f b style  arrows turn  space spin  Esc end"
 
@@ -39,9 +40,7 @@ class Scene:
     def press(self, key: int) -> None:
         """Obey one key; an arrow is a 0 and then a second code."""
         if key == 0:
-            spin, tilt = ARROWS.get(getch(), (0, 0))
-            self.spin += spin
-            self.tilt += tilt
+            self.turn(getch())
         elif key in MODES:
             self.mode = MODES[key]
         elif ord("1") <= key < ord("1") + len(FIGURES):
@@ -51,10 +50,21 @@ class Scene:
         elif key == ESC:
             self.running = False
 
+    def turn(self, arrow: int) -> None:
+        """Turn by one step."""
+        if arrow == LEFT:
+            self.spin -= STEP
+        elif arrow == RIGHT:
+            self.spin += STEP
+        elif arrow == UP:
+            self.tilt += STEP
+        elif arrow == DOWN:
+            self.tilt -= STEP
+
     def draw(self) -> None:
         """One picture, on the page that is not shown."""
         figure = FIGURES[self.figure]
-        turn = compose(rotation("z", self.spin * pi / 180), rotation("y", self.tilt * pi / 180))
+        turn = compose(rotation("z", radians(self.spin)), rotation("y", radians(self.tilt)))
         cleardevice()
         setcolor(YELLOW)
         surface(

@@ -24,13 +24,14 @@ Spectra = NDArray[np.float64]
 
 def spectrum(time: int) -> Spectra:
     """Two tones that glide past each other, a third that comes and goes, and a little noise."""
-    noise = np.random.default_rng(time).uniform(0, 0.06, len(FREQUENCY))
-    tones = (
+    loudness = np.random.default_rng(time).uniform(0, 0.06, len(FREQUENCY))
+    for tone, loud in (
         (4 + 2.8 * np.sin(time / 14), 1.0),
         (4 + 2.3 * np.cos(time / 23), 0.7),
         (6.5, 0.55 * np.sin(time / 9) ** 2),
-    )
-    return noise + sum(loud * np.exp(-(((FREQUENCY - tone) / 0.22) ** 2)) for tone, loud in tones)
+    ):
+        loudness += loud * np.exp(-(((FREQUENCY - tone) / 0.22) ** 2))
+    return loudness
 
 
 def flow(start: int) -> Spectra:
@@ -63,17 +64,23 @@ def draw() -> None:
 def main() -> None:
     """Flow until Esc."""
     initgraph(*MODE)
-    time, mode, flowing, running = 0, 0, True, True
-    while running:
+    time = 0
+    place = 0  # in MODES
+    flowing = True
+    key = 0
+    while key != ESC:
         cleardevice()
-        show(flow(time), MODES[mode])
+        show(flow(time), MODES[place])
         swapbuffers()
-        time += flowing
+        if flowing:
+            time += 1
+        # A waterfall that flows only looks whether a key waits; one at rest waits for a key.
         if kbhit() or not flowing:
             key = getch()
-            flowing ^= key == SPACE
-            mode = (mode + (key == ord("m"))) % len(MODES)
-            running = key != ESC
+            if key == SPACE:
+                flowing = not flowing
+            elif key == ord("m"):
+                place = (place + 1) % len(MODES)
 
 
 if __name__ == "__main__":

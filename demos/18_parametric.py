@@ -67,12 +67,15 @@ SHAPES = (
 
 def show(shape: Shape, mode: str, angle: float) -> None:
     """A shape in the viewport, turned about z and tilted."""
+    along_u, along_v = shape.n
+    if mode != "fill":  # lines are easier to see with fewer cells
+        along_u, along_v = along_u // 2, max(8, along_v // 2)
     setcolor(YELLOW)
     parametric(
         shape.f,
         ROUND,
         shape.v,
-        n=shape.n if mode == "fill" else (shape.n[0] // 2, max(8, shape.n[1] // 2)),
+        n=(along_u, along_v),
         mode=mode,
         transform=compose(rotation("z", angle), rotation((1, -1, 0), angle / 3)),
         projection="isometric",
@@ -84,33 +87,46 @@ def show(shape: Shape, mode: str, angle: float) -> None:
 def draw() -> None:
     """Four of them."""
     width, height = (getmaxx() + 1) // 2, (getmaxy() + 1) // 2
+    modes = ("fill", "fill+mesh", "fill+mesh", "fill")
     for place, shape in enumerate(SHAPES):
         left, top = place % 2 * width, place // 2 * height
         setviewport(left, top, left + width - 1, top + height - 1, 1)
-        show(shape, "fill" if place in (0, 3) else "fill+mesh", 0.6)
+        show(shape, modes[place], 0.6)
         setcolor(WHITE)
         outtextxy((width - textwidth(shape.name)) // 2, height - 12, shape.name)
     setviewport(0, 0, getmaxx(), getmaxy(), 1)
 
 
+def picture(place: int, mode: str, angle: float) -> None:
+    """One picture of the turn, on the page that is not shown."""
+    cleardevice()
+    show(SHAPES[place], mode, angle)
+    setcolor(WHITE)
+    outtextxy(8, 8, f"{SHAPES[place].name}   {mode}")
+    outtextxy(8, getmaxy() - 15, HELP)
+    swapbuffers()
+
+
 def main() -> None:
     """Turn until Esc."""
     initgraph(*MODE)
-    place, mode, angle, turning, running = 0, 0, 0.6, True, True
-    while running:
-        cleardevice()
-        show(SHAPES[place], MODES[mode], angle)
-        setcolor(WHITE)
-        outtextxy(8, 8, f"{SHAPES[place].name}   {MODES[mode]}")
-        outtextxy(8, getmaxy() - 15, HELP)
-        swapbuffers()
-        angle += turning * pi / 90
+    place = mode = 0  # in SHAPES and in MODES
+    angle = 0.6
+    turning = True
+    key = 0
+    while key != ESC:
+        picture(place, MODES[mode], angle)
+        if turning:
+            angle += pi / 90
+        # A surface that turns only looks whether a key waits; one at rest waits for a key.
         if kbhit() or not turning:
             key = getch()
-            place = key - ord("1") if ord("1") <= key <= ord("4") else place
-            mode = (mode + (key == ord("m"))) % len(MODES)
-            turning ^= key == SPACE
-            running = key != ESC
+            if ord("1") <= key <= ord("4"):
+                place = key - ord("1")
+            elif key == ord("m"):
+                mode = (mode + 1) % len(MODES)
+            elif key == SPACE:
+                turning = not turning
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ class Turning:
         self.steps += 1
         self.triples = apply(self.triples, self.matrix)
         self.rounded = apply(self.rounded, self.matrix)
-        self.rounded[..., :2] = np.rint(self.rounded[..., :2])
+        self.rounded[:, :, :2] = np.rint(self.rounded[:, :, :2])  # x' and y'
 
     def anew(self) -> Triples:
         """The long way: the points turned in space by the whole angle, then mapped."""
@@ -59,17 +59,19 @@ class Turning:
         setcolor(WHITE)
         outtextxy(8, 8, "triples times M'")
         outtextxy(half + 8, 8, "points turned and mapped anew")
-        drift = float(np.abs(self.triples - right).max())
         outtextxy(8, bottom - 38, f"{self.steps:5} steps of one degree about (1, 2, 3)")
-        outtextxy(8, bottom - 24, f"apart by   {drift:8.1e} pixels, triples kept as they are")
-        apart = float(np.hypot(*(self.rounded - right)[..., :2].reshape(-1, 2).T).max())
+        apart = np.abs(self.triples - right).max()
+        outtextxy(8, bottom - 24, f"apart by   {apart:8.1e} pixels, triples kept as they are")
         setcolor(LIGHTRED)
+        across, down, _ = np.abs(self.rounded - right).max(axis=(0, 1))
+        apart = max(across, down)
         outtextxy(8, bottom - 10, f"           {apart:8.1f} pixels, triples rounded at every step")
 
 
 def lines(triples: Triples, color: int) -> None:
     """Both families of lines: x' and y' of the triples are all that is needed."""
-    x, y, _ = np.floor(np.moveaxis(triples, -1, 0) + 0.5)
+    x = np.floor(triples[:, :, 0] + 0.5)
+    y = np.floor(triples[:, :, 1] + 0.5)
     line(x[:-1], y[:-1], x[1:], y[1:], color)
     line(x[:, :-1], y[:, :-1], x[:, 1:], y[:, 1:], color)
 
@@ -86,17 +88,19 @@ def main() -> None:
     """Turn until Esc."""
     initgraph(*MODE)
     turning = Turning(getmaxx() + 1, getmaxy() + 1)
-    moving, running = True, True
-    while running:
+    moving = True
+    key = 0
+    while key != ESC:
         cleardevice()
         turning.draw()
         swapbuffers()
         if moving:
             turning.turn()
+        # A picture that turns only looks whether a key waits; one at rest waits for a key.
         if kbhit() or not moving:
             key = getch()
-            moving ^= key == SPACE
-            running = key != ESC
+            if key == SPACE:
+                moving = not moving
 
 
 if __name__ == "__main__":

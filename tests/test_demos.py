@@ -125,7 +125,7 @@ class TestEveryDemo:
         assert f"../docs/pictures/{demo.name}.png" in row
         assert f"`python demos/{demo.file.name}`" in row
         assert demo.summary in row
-        assert demo.lesson.removeprefix("What it shows: ") in row.replace("`", "")
+        assert demo.lesson in row.replace("`", "")
 
 
 class TestFolder:

@@ -3,36 +3,7 @@
 from functools import cache
 from textwrap import wrap
 
-import numpy as np
-from numpy.typing import NDArray
-
-from bgi import (
-    BLACK,
-    BLUE,
-    DARKGRAY,
-    LIGHTCYAN,
-    LIGHTGRAY,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    YELLOW,
-    bar,
-    cleardevice,
-    getch,
-    getmaxx,
-    getmaxy,
-    getpixel,
-    graphdefaults,
-    initgraph,
-    outtextxy,
-    putpixel,
-    rectangle,
-    setactivepage,
-    setcolor,
-    setfillstyle,
-    swapbuffers,
-)
+from bgi import *
 from gallery.catalogue import NAMES, Demo, load
 
 ENTER, ESC, UP, DOWN, HOME, END = 13, 27, 72, 80, 71, 79
@@ -66,17 +37,16 @@ def choose(selected: int) -> int | None:
 def _draw(selected: int) -> None:
     demo = load(NAMES[selected])
     thumbnail = _preview(demo)
-    title = _large("graphics.h", 3)
     graphdefaults()
     cleardevice()
-    below, right = np.nonzero(title)
-    putpixel(MARGIN + 2 + right, 24 + below, BLUE)
-    putpixel(MARGIN + right, 22 + below, YELLOW)
+    settextstyle(DEFAULT_FONT, HORIZ_DIR, 3)
+    _write(MARGIN + 2, 24, "graphics.h", BLUE)
+    _write(MARGIN, 22, "graphics.h", YELLOW)
+    settextstyle(DEFAULT_FONT, HORIZ_DIR, 1)
     _write(PREVIEW_LEFT, 36, "Borland's graphics library in Python", LIGHTGRAY)
     for place in range(len(NAMES)):
         _entry(place, place == selected)
-    y, x = np.indices(thumbnail.shape)
-    putpixel(PREVIEW_LEFT + x, TOP + y, thumbnail)
+    putimage(PREVIEW_LEFT, TOP, thumbnail, COPY_PUT)
     rectangle(
         PREVIEW_LEFT - 1, TOP - 1, PREVIEW_LEFT + PREVIEW_WIDTH, TOP + PREVIEW_HEIGHT, DARKGRAY
     )
@@ -107,23 +77,11 @@ def _write(x: int, y: int, text: str, color: int) -> None:
 
 
 @cache
-def _preview(demo: Demo) -> NDArray[np.uint8]:
+def _preview(demo: Demo) -> Image:
     """A demo's picture at half its size; of four pixels the one with the highest colour stays."""
     cleardevice()
     demo.draw()
     graphdefaults()  # the demo may have left a viewport
-    height, width = PREVIEW_HEIGHT, PREVIEW_WIDTH
-    y, x = np.indices((2 * height, 2 * width))
-    pixels: NDArray[np.uint8] = getpixel(x, y)
-    smaller: NDArray[np.uint8] = pixels.reshape(height, 2, width, 2).max(axis=(1, 3))
-    return smaller
-
-
-@cache
-def _large(text: str, size: int) -> NDArray[np.uint8]:
-    """A text in letters of so many times their size, as pixels: 0 is background."""
-    cleardevice()
-    outtextxy(0, 0, text)
-    y, x = np.indices((8, 8 * len(text)))
-    pixels: NDArray[np.uint8] = getpixel(x, y)
-    return pixels.repeat(size, axis=0).repeat(size, axis=1)
+    pixels = getimage(0, 0, 2 * PREVIEW_WIDTH - 1, 2 * PREVIEW_HEIGHT - 1).array
+    four = pixels.reshape(PREVIEW_HEIGHT, 2, PREVIEW_WIDTH, 2)
+    return Image(four.max(axis=(1, 3)))

@@ -3,29 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from bgi import (
-    BLACK,
-    LIGHTGRAY,
-    SOLID_FILL,
-    VGA,
-    VGAHI,
-    WHITE,
-    bar,
-    cleardevice,
-    delay,
-    getch,
-    getmaxcolor,
-    getmaxx,
-    getmaxy,
-    graphdefaults,
-    initgraph,
-    kbhit,
-    outtextxy,
-    setcolor,
-    setfillstyle,
-    setviewport,
-    textwidth,
-)
+from bgi import *
 
 BAR, MARGIN = 24, 8
 ESC, LEFT, PAGE_UP = 27, 75, 73
