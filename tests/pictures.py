@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bgi.memory.imagefile import save_png
+from bgi.memory.imagefile import save
 from bgi.memory.rgb import SIXTEEN
 from bgi.memory.sdl import pygame
 
@@ -32,7 +32,7 @@ def assert_same(got, expected, name):
     FAILED.mkdir(exist_ok=True)
     gap = np.full((got.shape[0], 4), 8, dtype=np.uint8)
     difference = np.where(got != expected, np.uint8(12), np.uint8(0))
-    save_png(FAILED / f"{name}.png", np.hstack([got, gap, expected, gap, difference]), _COLORS)
+    save(FAILED / f"{name}.png", np.hstack([got, gap, expected, gap, difference]), _COLORS)
     (top, left), (bottom, right) = wrong.min(axis=0), wrong.max(axis=0)
     first = ", ".join(
         f"({x}, {y}): {got[y, x]} for {expected[y, x]}" for y, x in wrong[:5].tolist()

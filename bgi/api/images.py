@@ -78,12 +78,15 @@ def readimagefile(
     """Put a picture from a file on the active page.
 
     Args:
-        filename: a PNG, BMP, JPEG, GIF or any other that pygame reads.
+        filename: a PNG, BMP, JPEG or GIF (its first picture), whatever its name.
         left, top: where its upper left corner goes, relative to the viewport.
         right, bottom: its lower right corner; None keeps the picture's own width or height.
 
-    In a window in its own colours, elsewhere in the nearest of the palette. Cut at the edges of the
-    screen. OSError if it cannot be read, ValueError if it is not a picture. Source: WinBGIm.
+    In a window in its own colours, elsewhere in the nearest of the palette (an index of the file
+    whose colour is the screen's stays that index). What is transparent leaves what is there. Cut at
+    the edges of the screen. OSError if the file cannot be read; ValueError, and nothing drawn, if
+    it is none of these, malformed, in colours for print (CMYK), or has more than 67,108,864 pixels.
+    Source: WinBGIm.
     """
     current.screen.readimagefile(filename, left, top, right, bottom)
 
@@ -95,13 +98,15 @@ def writeimagefile(
     right: Number | None = None,
     bottom: Number | None = None,
 ) -> None:
-    """Save the active page, or a part of it, as a PNG with its palette.
+    """Save the active page, or a part of it, as a picture file with its palette.
 
     Args:
-        filename: where to; an existing file is replaced.
-        left, top, right, bottom: the part, in screen coordinates; what lies outside is left out.
+        filename: where to; an existing file is replaced. Its ending says the format: .png (also
+            without an ending), .bmp, .jpg (which blurs a little), or .gif (needs Pillow).
+        left, top, right, bottom: two opposite corners of the part, in screen coordinates; what
+            lies outside is left out.
 
-    Raises OSError if the file cannot be written, ValueError if no part of the screen is meant.
-    Source: WinBGIm (which writes BMP).
+    Raises OSError if the file cannot be written, ValueError for another ending, or if no part of
+    the screen is meant. Source: WinBGIm (which writes BMP).
     """
     current.screen.writeimagefile(filename, left, top, right, bottom)

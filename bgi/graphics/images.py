@@ -5,14 +5,16 @@ from __future__ import annotations
 import os
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from bgi.constants import COPY_PUT, NOT_PUT, grError
 from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
-from bgi.memory.image import MAX_PIXELS, Image, byte_size
-from bgi.memory.imagefile import load, nearest, png, save_png, tagged
+from bgi.memory.image import Image, byte_size
+from bgi.memory.imagefile import MAX_PIXELS, Picture, load, png, save
+from bgi.memory.matching import nearest, shown, tagged
 
 Buffer = bytes | bytearray | memoryview
 
@@ -47,8 +49,11 @@ class Images(State):
         y1, y2 = sorted((whole("top", top), whole("bottom", bottom)))
         width, height = x2 - x1 + 1, y2 - y1 + 1
         if width * height > MAX_PIXELS:
-            raise ValueError(f"an image of {width}x{height} pixels is too large")
-        image = Image(self.page.copy(x1 + self._dx, y1 + self._dy, width, height), self.mode.colors)
+            raise ValueError(
+                f"an image of {width}x{height} pixels is too large: {MAX_PIXELS:,} at most"
+            )
+        taken = self.page.copy(x1 + self._dx, y1 + self._dy, width, height)
+        image = Image(taken, self.mode.colors, self.card.palette.copy())
         if buffer is not None:
             _store(bytes(image), buffer)
         return image
@@ -72,17 +77,37 @@ class Images(State):
         bottom: Number | None = None,
     ) -> None:
         """Put a picture file on the active page, in the nearest colours."""
-        x, width = _extent(whole("left", left), None if right is None else whole("right", right))
-        y, height = _extent(whole("top", top), None if bottom is None else whole("bottom", bottom))
-        if (width or 1) * (height or 1) > MAX_PIXELS:
-            raise ValueError(f"a picture of {width}x{height} pixels is too large")
-        picture = load(filename, width, height)
-        pixels: NDArray[Any] = (
-            tagged(picture)
-            if self.mode.pixel_bytes == 4
-            else nearest(picture, self.card.palette[: self.mode.colors])
-        )
-        self.page.combine(x + self._dx, y + self._dy, pixels, COPY_PUT, self._mask)
+        left, width = _extent("left", left, "right", right)
+        top, height = _extent("top", top, "bottom", bottom)
+        picture = load(filename)
+        rows, columns = picture.pixels.shape[:2]
+        x, seen_columns = _seen(left + self._dx, width or columns, columns, self.mode.width)
+        y, seen_rows = _seen(top + self._dy, height or rows, rows, self.mode.height)
+        if len(seen_rows) and len(seen_columns):
+            part = picture.part(seen_rows, seen_columns)
+            under = self.page.copy(x, y, len(seen_columns), len(seen_rows))
+            self.page.combine(x, y, self._matched(part, under), COPY_PUT, self._mask)
+
+    def _matched(self, picture: Picture, under: NDArray[Any]) -> NDArray[Any]:
+        """A picture in this screen's numbers, laid over the pixels that are there."""
+        palette = self.card.palette
+        alpha = picture.rgba[..., 3:]
+        if self.mode.pixel_bytes == 1 and picture.colors is not None:
+            table = nearest(picture.colors[:, :3], palette[: self.mode.colors])
+            same = np.flatnonzero((picture.colors[:, :3] == palette).all(axis=1))
+            same = same[same < self.mode.colors]
+            table[same] = same  # of equal colours the index that the picture has
+            numbers: NDArray[Any] = table[picture.pixels]
+        else:
+            colors = picture.rgba[..., :3]
+            if ((alpha > 0) & (alpha < 255)).any():
+                mixed = alpha * 1.0 * colors + (255 - alpha * 1.0) * shown(under, palette)
+                colors = (mixed / 255 + 0.5).astype(np.uint8)
+            if self.mode.pixel_bytes == 4:
+                numbers = tagged(colors)
+            else:
+                numbers = nearest(colors, palette[: self.mode.colors])
+        return np.where(alpha[..., 0] > 0, numbers, under)
 
     def writeimagefile(
         self,
@@ -92,19 +117,34 @@ class Images(State):
         right: Number | None = None,
         bottom: Number | None = None,
     ) -> None:
-        """Save a part of the active page as a PNG."""
-        x1, y1 = max(0, whole("left", left)), max(0, whole("top", top))
-        x2 = self.getmaxx() if right is None else whole("right", right)
-        y2 = self.getmaxy() if bottom is None else whole("bottom", bottom)
-        part = self.page.array[y1 : max(y2 + 1, 0), x1 : max(x2 + 1, 0)]
+        """Save a part of the active page in the format that the name says."""
+        x1, width = _extent("left", left, "right", self.getmaxx() if right is None else right)
+        y1, height = _extent("top", top, "bottom", self.getmaxy() if bottom is None else bottom)
+        rows = slice(max(y1, 0), max(y1 + (height or 0), 0))
+        part = self.page.array[rows, max(x1, 0) : max(x1 + (width or 0), 0)]
         if not part.size:
             raise ValueError(f"nothing of {left}, {top}, {right}, {bottom} is on the screen")
-        save_png(filename, part, self.card.palette)
+        save(filename, part, self.card.palette)
 
 
-def _extent(start: int, end: int | None) -> tuple[int, int | None]:
+def _extent(
+    start_name: str, start: Number, end_name: str, end: Number | None
+) -> tuple[int, int | None]:
     """Where a side begins and how long it is, its ends in any order; None for no end."""
-    return (start, None) if end is None else (min(start, end), abs(end - start) + 1)
+    first = whole(start_name, start)
+    if end is None:
+        return first, None
+    last = whole(end_name, end)
+    return min(first, last), abs(last - first) + 1
+
+
+def _seen(start: int, length: int, kept: int, size: int) -> tuple[int, NDArray[np.int64]]:
+    """Of a side of `kept` pixels stretched to `length`: where on the screen what is seen begins,
+    and which of its pixels that are.
+    """
+    first, end = max(start, 0), min(start + length, size)
+    places = range(first - start, max(end, first) - start)
+    return first, np.array([place * kept // length for place in places], np.int64)
 
 
 def _store(data: bytes, buffer: bytearray | memoryview) -> None:

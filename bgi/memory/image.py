@@ -20,8 +20,6 @@ from bgi.memory.palette import DEFAULTS
 _LAYOUTS = {2: (1, 1), 4: (1, 2), 16: (4, 1), 256: (1, 8)}
 _HEADER = struct.Struct("<HH")
 _TRAILER = b"\0\0"
-MAX_PIXELS = 1 << 26
-"""Pixels that an image may have: far more than any screen."""
 
 
 def row_layout(colors: int) -> tuple[int, int]:
@@ -35,12 +33,20 @@ def byte_size(width: int, height: int, colors: int) -> int:
     return _HEADER.size + height * planes * (-(-width * bits // 8)) + len(_TRAILER)
 
 
+def _check_colors(colors: object) -> None:
+    if type(colors) is not int or colors not in _LAYOUTS:
+        known = ", ".join(map(str, _LAYOUTS))
+        raise ValueError(f"an image has one of {known} colours, not {colors!r:.60}")
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Image:
     """A rectangle of palette indices: `array` has shape (height, width)."""
 
     array: NDArray[np.uint8]
     colors: int = 16
+    palette: NDArray[np.uint8] | None = None
+    """(256, 3): how its indices look in a notebook; None: as screens begin."""
 
     def __post_init__(self) -> None:
         """Refuse what is no image; ValueError or TypeError says why."""
@@ -49,10 +55,7 @@ class Image:
             raise TypeError(f"an image's array must hold integers, not {array.dtype}")
         if array.ndim != 2 or array.size == 0:
             raise ValueError(f"an image's array must have shape (height, width), not {array.shape}")
-        if self.colors not in _LAYOUTS:
-            raise ValueError(
-                f"an image has one of {', '.join(map(str, _LAYOUTS))} colours, not {self.colors}"
-            )
+        _check_colors(self.colors)
         own_colors = array.dtype == np.uint32  # pixels of a window
         if not own_colors and (array.min() < 0 or array.max() >= self.colors):
             raise ValueError(f"an image of {self.colors} colours holds 0..{self.colors - 1}")
@@ -73,7 +76,9 @@ class Image:
         return f"<Image {self.width}x{self.height}, {self.colors} colours>"
 
     def _repr_png_(self) -> bytes:
-        """The image for notebooks, in the colours that screens begin with."""
+        """The image for notebooks."""
+        if self.palette is not None:
+            return png(self.array, self.palette)
         return png(self.array, np.array(DEFAULTS["IBM8514"][1], dtype=np.uint8))
 
     def __bytes__(self) -> bytes:
@@ -95,7 +100,7 @@ class Image:
     def frombytes(cls, data: bytes | bytearray | memoryview, colors: int = 16) -> Image:
         """Read an image from Borland's layout, as screens of so many colours have it.
 
-        ValueError if the data end before the image does.
+        ValueError if the data end before the image does, or for another number of colours.
         """
         try:
             block = bytes(memoryview(data))
@@ -104,6 +109,7 @@ class Image:
         if len(block) < _HEADER.size:
             raise ValueError(f"an image needs a header of 4 bytes, not {len(block)} bytes")
         width, height = (side + 1 for side in _HEADER.unpack_from(block))
+        _check_colors(colors)
         planes, bits = row_layout(colors)
         needed = byte_size(width, height, colors) - len(_TRAILER)
         if len(block) < needed:

@@ -1,72 +1,218 @@
-"""Pictures on disk: a page as a PNG that keeps its palette and indices, and any picture read."""
+"""Pictures on disk: a page written so that it keeps its palette and indices, and pictures read.
+
+Four formats are promised and no other is tried, each known by its first bytes: what a user was
+sent may be malformed, and some of SDL's readers crash on that. PNG, BMP and JPEG are read by SDL,
+whose readers of these do not; GIF by `bgi.memory.gif`.
+"""
+
+from __future__ import annotations
 
 import io
 import os
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.memory import rgb
-from bgi.memory.sdl import pygame
+from bgi.memory import gif, jpeg
+from bgi.memory.matching import shown
+from bgi.memory.sdl import pygame, quietly
 
 Filename = str | os.PathLike[str]
+Indices = NDArray[np.uint8]
+Colors = NDArray[np.uint8]
+
+MAX_PIXELS = 1 << 26
+"""Pixels that a picture may have: 8192 x 8192, far more than any screen."""
+
+# Writing
 
 
-def png(pixels: NDArray[Any], palette: NDArray[np.uint8]) -> bytes:
-    """Pixels (height, width) with their palette (256, 3) as a PNG.
+def png(pixels: NDArray[Any], palette: Colors) -> bytes:
+    """Pixels (height, width) with their palette (256, 3) as a PNG."""
+    return encode(pixels, palette, "png")
 
-    Indices are kept as they are; pixels of four bytes become the colours that they mean.
+
+def encode(pixels: NDArray[Any], palette: Colors, form: str) -> bytes:
+    """Pixels (height, width) with their palette (256, 3) as a file: "png", "bmp", "jpg" or "gif".
+
+    Indices are kept as they are, except in JPEG; pixels of four bytes become the colours that they
+    mean. ValueError for "gif" where Pillow is not installed.
     """
     size = pixels.shape[1], pixels.shape[0]
-    if pixels.dtype == np.uint8:
+    if pixels.dtype == np.uint8 and form != "jpg":
         surface = pygame.image.frombuffer(np.ascontiguousarray(pixels).data, size, "P")
         surface.set_palette(palette.tolist())
     else:
-        shown = palette[pixels & 15]
-        own = pixels >= 16
-        shown[own] = np.stack([pixels[own] >> shift & 255 for shift in (0, 8, 16)], axis=-1)
-        surface = pygame.image.frombuffer(shown.tobytes(), size, "RGB")
+        surface = pygame.image.frombuffer(shown(pixels, palette).tobytes(), size, "RGB")
     file = io.BytesIO()
-    pygame.image.save(surface, file, "png")
+    if form == "gif":
+        _save_gif(surface, file)
+    else:
+        pygame.image.save(surface, file, form)
     return file.getvalue()
 
 
-def save_png(filename: Filename, pixels: NDArray[Any], palette: NDArray[np.uint8]) -> None:
-    """Write a PNG, as `png` makes it; OSError if that fails."""
-    picture = png(pixels, palette)
-    with open(filename, "wb") as file:
-        file.write(picture)
+def _save_gif(surface: pygame.Surface, file: io.BytesIO) -> None:
+    try:
+        from PIL import Image
+    except ImportError:
+        raise ValueError(
+            "a GIF is written by Pillow, which is not installed (pip install pillow); "
+            "or choose a name that ends in .png, .bmp or .jpg"
+        ) from None
+    indexed = surface.get_bitsize() == 8
+    form: Any = "P" if indexed else "RGB"
+    image = Image.frombytes(form, surface.get_size(), pygame.image.tobytes(surface, form))
+    if indexed:
+        image.putpalette([part for color in surface.get_palette() for part in tuple(color)[:3]])
+    image.save(file, format="GIF", optimize=False)
 
 
-def load(filename: Filename, width: int | None, height: int | None) -> NDArray[np.uint8]:
-    """Read a picture (PNG, BMP, JPEG, GIF, ...) as RGB, shape (height, width, 3), scaled if asked.
+ENDINGS = {"": "png", ".png": "png", ".bmp": "bmp", ".jpg": "jpg", ".jpeg": "jpg", ".gif": "gif"}
 
-    OSError if it cannot be read, ValueError if it is no picture.
+
+def save(filename: Filename, pixels: NDArray[Any], palette: Colors) -> None:
+    """Write a picture in the format that the name's ending says, a PNG without one.
+
+    OSError if the file cannot be written; ValueError for another ending.
     """
-    with open(filename, "rb") as file:
-        try:
-            surface = pygame.image.load(file, os.fspath(filename))
-        except pygame.error as error:
-            raise ValueError(f"{filename} is not a picture that can be read: {error}") from None
-    size = width or surface.get_width(), height or surface.get_height()
-    scaled = pygame.transform.scale(surface, size)
-    colors = pygame.image.tobytes(scaled, "RGB")
-    return np.frombuffer(colors, np.uint8).reshape(size[1], size[0], 3)
+    path = path_of(filename)
+    form = ENDINGS.get(path.suffix.lower())
+    if form is None:
+        raise ValueError(
+            f"{path.name}: a picture is written as .png, .bmp, .jpg or .gif, not {path.suffix!r}"
+        )
+    path.write_bytes(encode(pixels, palette, form))
 
 
-def nearest(picture: NDArray[np.uint8], palette: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The palette indices whose colours come nearest to those of a picture."""
-    colors, places = np.unique(picture.reshape(-1, 3), axis=0, return_inverse=True)
-    found = np.empty(len(colors), np.uint8)
-    for start in range(0, len(colors), 4096):  # bounds the memory
-        part = colors[start : start + 4096, None].astype(np.int32)
-        found[start : start + 4096] = ((part - palette) ** 2).sum(axis=2).argmin(axis=1)
-    return found[places.reshape(picture.shape[:2])]
+def path_of(filename: Filename) -> Path:
+    """A file's name as a path; TypeError for what is none, such as an int: C's descriptors."""
+    try:
+        return Path(os.fsdecode(os.fspath(filename)))
+    except TypeError:
+        raise TypeError(
+            f"filename must be a str or a path, not {type(filename).__name__}: {filename!r:.60}"
+        ) from None
 
 
-def tagged(picture: NDArray[np.uint8]) -> NDArray[np.uint32]:
-    """The colours of a picture as a window's pixels hold them."""
-    red, green, blue = np.moveaxis(picture.astype(np.uint32), 2, 0)
-    mixed: NDArray[np.uint32] = blue << 16 | green << 8 | red | np.uint32(rgb.TAG)
-    return mixed
+# Reading
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture read: indices (height, width) and their colours, or RGBA (height, width, 4)."""
+
+    pixels: NDArray[np.uint8]
+    colors: Colors | None
+    """(256, 4), red, green, blue and alpha; None where the pixels are colours themselves."""
+
+    def part(self, rows: NDArray[np.int64], columns: NDArray[np.int64]) -> Picture:
+        """Only these rows and columns, in this order, any of them as often as named."""
+        return Picture(self.pixels[rows[:, None], columns], self.colors)
+
+    @property
+    def rgba(self) -> NDArray[np.uint8]:
+        """The colours, shape (height, width, 4)."""
+        return self.pixels if self.colors is None else self.colors[self.pixels]
+
+
+def load(filename: Filename) -> Picture:
+    """Read a PNG, BMP, JPEG or GIF (its first picture).
+
+    OSError if it cannot be read, ValueError if it is none of these, malformed, or larger than
+    MAX_PIXELS: that is looked up before any of it is unpacked.
+    """
+    path = path_of(filename)
+    data = path.read_bytes()
+    for signature, reader in _READERS.items():
+        if data.startswith(signature):
+            try:
+                return reader(data)
+            except ValueError as error:
+                raise ValueError(f"{path.name} cannot be read: {error}") from None
+    raise ValueError(f"{path.name} is not a picture that can be read: a PNG, BMP, JPEG or GIF file")
+
+
+def _check_size(width: int, height: int) -> None:
+    if not 0 < width * height <= MAX_PIXELS:
+        raise ValueError(f"{width}x{height} pixels, and at most {MAX_PIXELS:,} are read")
+
+
+def _read_png(data: bytes) -> Picture:
+    _check_size(*_fields(">II", data, 16))
+    return _read_by_sdl(data, "png")
+
+
+def _read_bmp(data: bytes) -> Picture:
+    (length,) = _fields("<I", data, 14)
+    width, height = _fields("<HH" if length == 12 else "<ii", data, 18)
+    _check_size(width, abs(height))  # upside down if negative
+    return _read_by_sdl(data, "bmp")
+
+
+def _read_jpeg(data: bytes) -> Picture:
+    head = jpeg.head(data)
+    _check_size(head.width, head.height)
+    if head.components == 4:
+        raise ValueError("its colours are for print (CMYK); save it as RGB")
+    picture = _read_by_sdl(data, "jpg")
+    upright = _UPRIGHT[head.orientation]
+    return Picture(np.ascontiguousarray(upright(picture.rgba)), None)
+
+
+def _read_gif(data: bytes) -> Picture:
+    _check_size(*gif.size(data))
+    return Picture(*gif.read(data))
+
+
+def _fields(form: str, data: bytes, at: int) -> tuple[int, ...]:
+    try:
+        return struct.unpack_from(form, data, at)
+    except struct.error:
+        raise ValueError("it ends too soon") from None
+
+
+def _read_by_sdl(data: bytes, form: str) -> Picture:
+    try:
+        with quietly():  # libpng prints what it thinks of a file
+            surface = pygame.image.load(io.BytesIO(data), form)
+    except pygame.error as error:
+        raise ValueError(str(error)) from None
+    width, height = surface.get_size()
+    if surface.get_bitsize() != 8:
+        pixels = np.frombuffer(pygame.image.tobytes(surface, "RGBA"), np.uint8)
+        return Picture(pixels.reshape(height, width, 4), None)
+    pixels = np.frombuffer(pygame.image.tobytes(surface, "P"), np.uint8)
+    colors = np.full((256, 4), 255, np.uint8)
+    palette = np.array([tuple(color)[:3] for color in surface.get_palette()], np.uint8)
+    colors[: len(palette), :3] = palette
+    key = surface.get_colorkey()
+    if key is not None:
+        colors[surface.map_rgb(key), 3] = 0
+    return Picture(pixels.reshape(height, width), colors)
+
+
+_READERS: dict[bytes, Callable[[bytes], Picture]] = {
+    b"\x89PNG\r\n\x1a\n": _read_png,
+    b"BM": _read_bmp,
+    b"\xff\xd8\xff": _read_jpeg,
+    b"GIF87a": _read_gif,
+    b"GIF89a": _read_gif,
+}
+
+# What brings a picture upright, by Exif's orientation.
+_UPRIGHT: dict[int, Callable[[NDArray[np.uint8]], NDArray[np.uint8]]] = {
+    1: lambda p: p,
+    2: lambda p: p[:, ::-1],
+    3: lambda p: p[::-1, ::-1],
+    4: lambda p: p[::-1],
+    5: lambda p: p.swapaxes(0, 1),
+    6: lambda p: p.swapaxes(0, 1)[:, ::-1],
+    7: lambda p: p[::-1, ::-1].swapaxes(0, 1),
+    8: lambda p: p.swapaxes(0, 1)[::-1],
+}

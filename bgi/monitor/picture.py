@@ -12,9 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from bgi.memory.card import Frame
+from bgi.memory.matching import true_colors
 from bgi.memory.sdl import pygame
-
-INDICES = 16  # a pixel of four bytes that is smaller is an index into the palette
 
 Colours = npt.NDArray[np.uint8]
 Pixels = npt.NDArray[Any]
@@ -82,18 +81,11 @@ def pixels(frame: Frame) -> Pixels:
     return np.frombuffer(frame.pixels, kind).reshape(frame.height, frame.width)
 
 
-def true_colours(numbers: Pixels, palette: Colours) -> Pixels:
-    """Pixels of four bytes with a colour, red lowest, in place of every index."""
-    table = palette[:INDICES].astype("<u4") @ np.array([1, 1 << 8, 1 << 16], "<u4")
-    colours: Pixels = np.where(numbers < INDICES, table.take(numbers, mode="clip"), numbers)
-    return colours
-
-
 def surface(frame: Frame, palette: Colours) -> pygame.Surface:
     """The picture of a frame, one pixel for each of the frame's."""
     numbers, size = pixels(frame), (frame.width, frame.height)
     if frame.pixel_bytes == 4:
-        return pygame.image.frombuffer(true_colours(numbers, palette).tobytes(), size, "RGBX")
+        return pygame.image.frombuffer(true_colors(numbers, palette).tobytes(), size, "RGBX")
     picture = pygame.image.frombuffer(frame.pixels, size, "P")
     picture.set_palette(palette.tolist())
     return picture

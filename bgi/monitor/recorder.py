@@ -5,7 +5,6 @@ compressed: a minute of a typical program fits into a few megabytes.
 """
 
 import importlib.util
-import itertools
 import zlib
 from collections.abc import Iterator
 from typing import Any
@@ -14,10 +13,12 @@ import numpy as np
 
 from bgi.errors import BGIError
 from bgi.memory.card import Frame
-from bgi.monitor.picture import Colours, pixels, true_colours
+from bgi.memory.matching import true_colors
+from bgi.monitor.picture import Colours, pixels
 
 TICK = 0.01  # seconds: the GIF's unit of time
 SHORTEST = 2  # ticks: browsers show a picture that is meant to be shorter far too long
+LONGEST = 65535  # ticks: all that a GIF can say of one picture; eleven minutes
 LAST = 0.5  # seconds at least for the last picture, before it all begins again
 
 
@@ -45,15 +46,20 @@ class Recorder:
             kept.append((tick, number))
         if not kept:
             return
-        ticks = [tick for tick, _ in kept]
-        ticks.append(max(round(now / TICK), ticks[-1] + round(LAST / TICK)))
-        images = self._images([number for _, number in kept])
+        starts = [tick for tick, _ in kept]
+        starts.append(max(round(now / TICK), starts[-1] + round(LAST / TICK)))
+        shown = [
+            (number, part)
+            for (start, number), end in zip(kept, starts[1:], strict=True)
+            for part in _parts(end - start)
+        ]
+        images = self._images([number for number, _ in shown])
         next(images).save(
             self.file,
             format="GIF",
             save_all=True,
             append_images=images,
-            duration=[round(1000 * TICK * (b - a)) for a, b in itertools.pairwise(ticks)],
+            duration=[round(1000 * TICK * part) for _, part in shown],
             loop=0,
             optimize=False,
         )
@@ -62,13 +68,31 @@ class Recorder:
         """Pillow's images of some of the pictures, all in the size of the first of them."""
         from PIL import Image
 
-        size = None
+        size, before, marked = None, None, False
         for number in numbers:
-            _, packed, colours = self._frames[number]
+            _, packed, colors = self._frames[number]
             frame = packed._replace(pixels=zlib.decompress(packed.pixels))
-            image = _image(frame, np.frombuffer(colours, np.uint8).reshape(256, 3))
+            image = _image(frame, np.frombuffer(colors, np.uint8).reshape(256, 3))
             size = size or image.size
-            yield image if image.size == size else image.resize(size, Image.Resampling.NEAREST)
+            image = image if image.size == size else image.resize(size, Image.Resampling.NEAREST)
+            same = before is not None and self._frames[number][1:] == self._frames[before][1:]
+            marked = same and not marked
+            yield _marked(image) if marked else image
+            before = number
+
+
+def _parts(length: int) -> list[int]:
+    """A time in ticks cut into pieces that a GIF can say."""
+    rest = length % LONGEST
+    return [LONGEST] * (length // LONGEST) + [rest] * (rest > 0)
+
+
+def _marked(image: Any) -> Any:
+    """The same picture, its first pixel a shade off: Pillow would join it with one just like it."""
+    marked = image.convert("RGB")
+    red, green, blue = marked.getpixel((0, 0))
+    marked.putpixel((0, 0), (red, green, blue ^ 1))
+    return marked.quantize(256)
 
 
 def _image(frame: Frame, palette: Colours) -> Any:
@@ -79,5 +103,5 @@ def _image(frame: Frame, palette: Colours) -> Any:
         image = Image.frombytes("P", size, frame.pixels)
         image.putpalette(palette.tobytes())
         return image
-    numbers = true_colours(pixels(frame), palette)
+    numbers = true_colors(pixels(frame), palette)
     return Image.frombytes("RGB", size, numbers.tobytes(), "raw", "RGBX").quantize(256)

@@ -63,12 +63,10 @@ def test_images_and_files_of_a_window(tmp_path):
 def test_files_that_are_no_pictures(tmp_path):
     bgi.initgraph()
     (tmp_path / "bad.png").write_bytes(b"\x89PNG\r\n\x1a\nrubbish")
-    with pytest.raises(ValueError, match="not a picture"):
+    with pytest.raises(ValueError, match="cannot be read"):
         bgi.readimagefile(tmp_path / "bad.png")
     with pytest.raises(OSError):
         bgi.readimagefile(tmp_path / "missing.png")
-    with pytest.raises(ValueError, match="too large"):
-        bgi.readimagefile(tmp_path / "bad.png", 0, 0, 10**6, 10**6)
     assert not current.screen.page.array.any()
 
 

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from bgi.memory.card import Frame
+from bgi.memory.matching import true_colors
 from bgi.memory.sdl import pygame
-from bgi.monitor.picture import Shape, fit, inside, largest, pixels, surface, true_colours
+from bgi.monitor.picture import Shape, fit, inside, largest, pixels, surface
 
 PALETTE = np.random.default_rng(1).integers(0, 256, (256, 3), np.uint8)
 
@@ -113,4 +114,4 @@ def test_a_pixel_of_four_bytes_is_an_index_below_16_and_else_a_colour() -> None:
         [0x56, 0x34, 0x12],
         [5, 0, 0],
     ]
-    assert (true_colours(pixels(frame), PALETTE)[0, 2:] == numbers[0, 2:]).all()
+    assert (true_colors(pixels(frame), PALETTE)[0, 2:] == numbers[0, 2:]).all()

@@ -86,6 +86,17 @@ def test_a_change_of_size_and_depth_on_the_way(file: Path) -> None:
     assert read(file) == [(1000, colour(1)), (1000, colour(2)), (1000, (0x56, 0x34, 0x12))]
 
 
+def test_a_picture_that_stays_longer_than_a_gif_can_say(file: Path) -> None:
+    recorder = Recorder(str(file))
+    recorder.add(0, frame(1), PALETTE.tobytes())
+    recorder.add(1400, frame(2), PALETTE.tobytes())
+    recorder.save(1401)
+    lengths, colors = zip(*read(file), strict=True)
+    assert lengths == (655_350, 655_350, 89_300, 1000)
+    red, green, blue = colour(1)
+    assert colors == (colour(1), (red, green, blue ^ 1), colour(1), colour(2))
+
+
 def test_nothing_recorded_is_no_file(file: Path) -> None:
     Recorder(str(file)).save(1)
     assert not file.exists()
