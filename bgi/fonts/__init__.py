@@ -1,1 +1,1 @@
-"""Text: the built-in 8x8 font, and how a string becomes cells."""
+"""Fonts: the built-in one of 8x8 pixels, Borland's stroked ones, and how a string is laid out."""

@@ -2,10 +2,10 @@
 
 A file begins with `PK`, 08h 08h and a line for people that ends with 1Ah. A header names the font
 and says where its block starts. The block holds the number of characters, the code of the first,
-how far letters rise and hang, then three tables: where each character's strokes begin, how wide
-each character is, and the strokes. A stroke is two bytes, `axxxxxxx byyyyyyy`: with bits ab = 10
-the pen moves to x, y; with 11 it draws there; 00 ends the character; 01 is never needed. The
-coordinates are signed, y grows upward, and the letters stand on y = 0.
+the heights of capitals and descenders, then three tables: where each character's strokes begin, how
+wide each character is, and the strokes. A stroke is two bytes, `axxxxxxx byyyyyyy`: with bits
+ab = 10 the pen moves to x, y; with 11 it draws there; 00 ends the character; 01 is never needed.
+The coordinates are signed, y grows upward, and the letters stand on y = 0.
 """
 
 import struct
@@ -19,13 +19,13 @@ MAX_BYTES = 1 << 16
 
 _SIGNATURE = b"PK\x08\x08"
 _HEADER_SIZE = 0x80
-_MAX_OPERATIONS = 1 << 15  # all that fit; hostile characters could share one endless tail
+_MAX_OPERATIONS = 1 << 15  # of all characters: a file may let many of them share one long tail
 _HEADER = struct.Struct("<H4sH4B")  # header size, name, bytes after it, font and driver version
 _BLOCK = struct.Struct("<cHxBHBbbb5x")  # '+', count, first, strokes' offset, scan, cap, base, dec
 
 
 class FontError(ValueError):
-    """A font that cannot be had: `code` is Borland's error number, `file` the file's name."""
+    """A font cannot be loaded: `code` is Borland's error number, `file` the file's name."""
 
     def __init__(self, text: str, code: int = grInvalidFont, file: str = "") -> None:
         super().__init__(text)

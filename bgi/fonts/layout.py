@@ -35,7 +35,7 @@ SIZES = {
 """What settextstyle's sizes 1..10 mean for stroked fonts."""
 
 
-_MAX_REMEMBERED = 80  # characters of a text: a long one is rarely drawn twice
+_MAX_REMEMBERED = 80  # characters of a text whose lines are kept: longer ones rarely come again
 _NOTHING = np.empty((0, 4), dtype=np.int64)
 
 
@@ -53,7 +53,7 @@ def textwidth(font: StrokedFont, text: bytes, scale: Scale) -> int:
 
 
 def textheight(font: StrokedFont, scale: Scale) -> int:
-    """The height of every text in this font: from its highest to its lowest line."""
+    """The height of every text in this font: from capitals to descenders."""
     return _scaled(font.cap - font.dec, scale.my, scale.dy)
 
 
@@ -113,7 +113,7 @@ def anchor(
 
 
 def _part(length: int, justification: int, whole: int) -> int:
-    """All of a length when justified as `whole`, half of it when centred, else nothing."""
+    """All of a length if justified as `whole` says, half of it if centred, else nothing."""
     if justification == CENTER_TEXT:
         return _scaled(length, 1, 2)
     return length if justification == whole else 0

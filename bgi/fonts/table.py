@@ -43,7 +43,7 @@ class FontTable:
         return self._number(path)
 
     def register(self, data: bytes) -> int:
-        """Take a font from memory; its number, -13 if it is no font, -11 if the table is full."""
+        """Take a font from memory; its number, -13 if it is not one, -11 if the table is full."""
         try:
             font = parse(bytes(memoryview(data)))
         except FontError:
@@ -85,7 +85,7 @@ class FontTable:
 
 
 def _find(folder: str, file: str) -> os.DirEntry[str] | None:
-    """The file of that name, in whatever case; a folder that is not there holds nothing."""
+    """The file of that name, in whatever case; None also if there is no such folder."""
     try:
         with os.scandir(folder) as entries:
             return next((e for e in entries if e.name.upper() == file and e.is_file()), None)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from bgi.constants import THICK_WIDTH, grError
+from bgi.constants import SOLID_LINE, THICK_WIDTH, grError
 from bgi.fonts.chr import StrokedFont
 from bgi.kernel.arguments import Number, Numbers, broadcast, whole
 from bgi.kernel.modes import YASP, GraphicsMode
@@ -20,7 +20,7 @@ from bgi.memory.page import Page
 from bgi.memory.palette import Palette
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
-from bgi.raster.patterns import line_mask
+from bgi.raster.patterns import LINE_PATTERNS, line_mask
 from bgi.settings import Settings, palettetype, viewporttype
 
 
@@ -33,7 +33,7 @@ class State:
     def __init__(
         self, mode: GraphicsMode, card: Card | None = None, monitor: Monitor | None = None
     ) -> None:
-        """Enter `mode` on a card watched by a monitor: by default one of its own, and none."""
+        """Enter `mode` on a card that a monitor shows: by default a new card, and no window."""
         self.card = card or Card()
         self.monitor = monitor or Headless()
         self.path = ""
@@ -62,7 +62,7 @@ class State:
         self._use_line_settings()
 
     def _use_viewport(self) -> None:
-        """Remember what drawing asks for again and again: the origin; clip the active page."""
+        """Take over the viewport: its origin for all drawing, its box for the active page."""
         view = self.settings.view
         self._dx, self._dy = self._origin = view.left, view.top
         if view.clip:
@@ -71,12 +71,12 @@ class State:
             self.page.clip_to((0, 0, self.mode.width - 1, self.mode.height - 1))
 
     def _use_line_settings(self) -> None:
-        """Remember what drawing asks for again and again: how lines look, as booleans."""
+        """Take over line style, width and write mode, as the booleans that drawing asks for."""
         line = self.settings.line
         self._pattern = line_mask(line.upattern)
         self._thick = line.thickness == THICK_WIDTH
         self._xor = bool(self.settings.writemode)
-        self._solid = line.upattern == 0xFFFF and not self._xor
+        self._solid = line.upattern == LINE_PATTERNS[SOLID_LINE] and not self._xor
         self._plain = self._solid and not self._thick
 
     # The screen

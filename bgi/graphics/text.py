@@ -29,7 +29,7 @@ from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
 
 MAX_CHARSIZE = 10
-"""The largest character size; what is larger is drawn in this size."""
+"""A larger size is taken as this one."""
 
 MAX_FACTOR = 32767
 """The factors of setusercharsize() are 16-bit numbers."""
@@ -126,7 +126,7 @@ class Text(State):
             self._write(left, top, codes)
 
     def _write(self, x: int, y: int, text: bytes) -> None:
-        """Level cells: a character that the viewport would cut is left out whole."""
+        """Horizontal cells: a character that the viewport would cut is left out as a whole."""
         style, cell = self.settings.text, self._cell()
         x -= _share(cell * len(text), style.horiz, RIGHT_TEXT)
         y -= cell - _share(cell, style.vert, TOP_TEXT)
@@ -135,13 +135,13 @@ class Text(State):
         last = max(first, min(len(text), (right + 1 - x) // cell))
         if not top <= y <= bottom + 1 - cell:
             last = first
-        # Without clipping, a text that would leave the screen is dropped.
+        # With clipping off, a text that does not fit on the screen as a whole is left out.
         if first < last and (self.settings.view.clip or last - first == len(text)):
             mask = bitmap.mask(text[first:last], cell // bitmap.CELL)
             self.page.stamp(x + first * cell, y, mask, self.settings.color)
 
     def _write_upwards(self, x: int, y: int, text: bytes) -> None:
-        """Vertical cells, cut pixel by pixel; RIGHT_TEXT is drawn like LEFT_TEXT, to the left."""
+        """Vertical cells, cut pixel by pixel; RIGHT_TEXT is drawn like LEFT_TEXT: left of x."""
         style, cell = self.settings.text, self._cell()
         length = cell * len(text)
         x -= cell // 2 if style.horiz == CENTER_TEXT else cell

@@ -1,9 +1,9 @@
 """Numbers as a BGI call takes them.
 
-An int is taken as it is, a float truncated toward zero, as C converts it. Anything else a caller
-can pass where a number belongs is a TypeError or ValueError that names the argument. Arrays (and
-lists and tuples) of numbers broadcast against each other, and mean the scalar call repeated in
-order.
+An int is taken as it is; a float is truncated toward zero, as C converts it. Anything else in the
+place of a number is a TypeError or ValueError that names the argument. Arrays (and lists, tuples
+and ranges) of numbers broadcast against each other, and mean the call of one number each, repeated
+in order.
 """
 
 import operator
@@ -24,7 +24,7 @@ shows these two names, not what they stand for.
 
 
 LIMIT = 1 << 24
-"""Array coordinates below it stay int64; so small, their quotients are exact in floating point."""
+"""Array coordinates below it stay int64: their quotients are exact in floating point."""
 
 
 CHUNK = 8192

@@ -1,8 +1,8 @@
 """The table of drivers and modes: what each adapter of the PC could show.
 
 Sizes, colours, aspect ratios and names are those of Borland's own driver tables. Two things are
-chosen: every mode has at least two pages, so that double buffering works everywhere (the original's
-count stands beside ours), and the 8514 driver reports all of its 256 colours.
+chosen: every mode has at least two pages, so that double buffering works everywhere (the adapter's
+own number stands beside it), and the 8514 driver reports all of its 256 colours.
 """
 
 from dataclasses import dataclass, field
@@ -22,7 +22,7 @@ from bgi.constants import (
 )
 
 YASP = 10_000
-"""The vertical half of every mode's aspect ratio."""
+"""The second number of every mode's aspect ratio: getaspectratio() returns xasp, YASP."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class GraphicsMode:
     pixel_bytes: int = 1
     """4 in a window: an index, or a colour of its own as `bgi.memory.rgb` writes it."""
     square: bool = False
-    """Whether its pixels are shown as squares, not stretched to fill a 4:3 screen."""
+    """Whether its pixels are shown as squares; else the picture is stretched to 4:3."""
     maxcolor: int = field(init=False)
     """The largest colour index, which is also the mask of a pixel's bits."""
 

@@ -49,7 +49,7 @@ class Image:
     """(256, 3): how its indices look in a notebook; None: as screens begin."""
 
     def __post_init__(self) -> None:
-        """Refuse what is no image; ValueError or TypeError says why."""
+        """Refuse what is not an image; ValueError or TypeError says why."""
         array = np.asarray(self.array)
         if array.dtype.kind not in "ui":
             raise TypeError(f"an image's array must hold integers, not {array.dtype}")
@@ -98,7 +98,7 @@ class Image:
 
     @classmethod
     def frombytes(cls, data: bytes | bytearray | memoryview, colors: int = 16) -> Image:
-        """Read an image from Borland's layout, as screens of so many colours have it.
+        """Read an image from Borland's layout, as a screen of that number of colours has it.
 
         ValueError if the data end before the image does, or for another number of colours.
         """

@@ -5,8 +5,8 @@ value into red, green and blue:
 
 * EGA and VGA: a value of 0..63, on the VGA the number of one of its DAC registers, which
   setrgbpalette() loads. At mode set the registers hold the EGA's 64 colours: bits `r g b R G B`
-  from bit 5 down, the large letters worth two thirds of full light, the small ones one third. The
-  200-line modes know 16 colours only: bit 4 is the intensity, bits 2..0 are R, G and B.
+  from bit 5 down; the large letters add two thirds of full light, the small ones one third. The
+  200-line modes have 16 colours only: bit 4 is the intensity, bits 2..0 are R, G and B.
 * CGA: index 0 is any of 16 colours, the others are fixed by the mode. In its two-colour mode
   setbkcolor() gives the *foreground* its colour, because that is what the hardware does.
 * 8514/A: 256 entries, each loaded straight with RGB.
@@ -162,7 +162,7 @@ class Palette:
         self._show()
 
     def set_rgb(self, registers: Sequence[int], colors: Sequence[RGB]) -> bool:
-        """Load DAC registers; False where the adapter has none of that number, which is left out.
+        """Load DAC registers; False if the adapter does not have them all: the others are loaded.
 
         VGA components are 0..63; the 8514's are 0..255, of which the upper six bits count.
         """

@@ -46,7 +46,7 @@ def line_mask(pattern: int) -> NDArray[np.bool_]:
     return np.tile((pattern >> np.arange(16) & 1).astype(bool), _MAX_LENGTH // 16)
 
 
-SOLID_MASK = line_mask(0xFFFF)
+SOLID_MASK = line_mask(LINE_PATTERNS[0])
 
 
 @lru_cache(maxsize=16)
