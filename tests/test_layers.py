@@ -12,7 +12,6 @@ ROOT = Path(__file__).parent.parent
 LAYERS = [
     "bgi.constants",
     "bgi.errors",
-    "bgi.machine",
     "bgi.kernel.arguments",
     "bgi.kernel.modes",
     "bgi.raster.lines",
@@ -24,6 +23,7 @@ LAYERS = [
     "bgi.memory.rgb",
     "bgi.memory.palette",
     "bgi.memory.sdl",
+    "bgi.machine",
     "bgi.memory.page",
     "bgi.memory.matching",
     "bgi.memory.gif",

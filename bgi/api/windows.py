@@ -10,6 +10,7 @@ from bgi.constants import ALL_WINDOWS, grOk
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL
+from bgi.machine import desktop_size
 from bgi.memory import rgb
 from bgi.memory.card import MAX_SIDE
 
@@ -84,13 +85,19 @@ def setcurrentwindow(wid: Number) -> None:
 
 
 def getmaxwidth() -> int:
-    """Return the width of the largest window that can be opened."""
-    return MAX_SIDE
+    """Return the width of the desktop in pixels: a window as large as it fills the screen.
+
+    1920 where there is no display. A larger window can be opened, too, up to 4096.
+    """
+    return min(desktop_size()[0], MAX_SIDE)
 
 
 def getmaxheight() -> int:
-    """Return the height of the largest window that can be opened."""
-    return MAX_SIDE
+    """Return the height of the desktop in pixels: a window as large as it fills the screen.
+
+    1080 where there is no display. A larger window can be opened, too, up to 4096.
+    """
+    return min(desktop_size()[1], MAX_SIDE)
 
 
 def getwindowwidth() -> int:
