@@ -11,12 +11,15 @@ from surfaces.shape.sampling import Interval
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.projections import projection
 from surfaces.space.transforms import Point, compose, rotation, scaling
-from surfaces.systems.pen import System
+from surfaces.systems.pen import Pen, System
 
 LARGER = 1.15
 """How much larger the picture is for each step of `zoom`."""
 DOUBLED = 3
 """How many steps of `wider` make the domain twice as wide."""
+
+SMOOTH = 256
+"""With fewer colors ramps have bands, and are better mixed."""
 
 
 @dataclass
@@ -111,7 +114,7 @@ class Options:
             projection=self.projection,
             color=self.color,
             ramp=self.ramp,
-            dither=self.dither,
+            dither=self.dither or Pen(on).colors < SMOOTH,
             contours=self.contours,
             floor=self.floor,
             box=self.box,

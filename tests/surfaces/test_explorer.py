@@ -428,6 +428,14 @@ class TestOptions:
         for changed in (Options(turns=True), Options(turn=1), Options(tilt=1), Options(zoom=1)):
             assert changed.transform is not None
 
+    def test_where_there_are_few_colors_they_are_mixed(self) -> None:
+        bgi.initgraph(bgi.VGA, bgi.VGAHI)
+        drawn = []
+        for options in (Options(), Options(dither=True)):
+            options.draw("x*y")
+            drawn.append(bytes(bgi.getimage(0, 0, 639, 479)))
+        assert drawn[0] == drawn[1]
+
     @pytest.mark.parametrize("view", PROJECTIONS)
     def test_a_tilt_leaves_level_what_is_level(self, view: str) -> None:
         """It turns about a line of the floor that leads straight to the right on the screen."""
