@@ -13,12 +13,13 @@ import pygame
 import pytest
 
 import bgi
-from surfaces import rotation, surface
+from surfaces import FIELDS, MODES, PROJECTIONS, RAMPS, rotation, surface
 from surfaces.__main__ import main
 from surfaces.animation import PillowMissing, progress, save_gif
 from surfaces.command.output import MILLISECONDS
 from surfaces.command.parser import FILES
 from surfaces.explorer import EXAMPLES
+from surfaces.explorer.keys import HELP
 from surfaces.explorer.loop import SMALLEST
 from surfaces.formulas import formula
 
@@ -99,6 +100,21 @@ def test_every_option_is_tried(capsys: pytest.CaptureFixture[str]) -> None:
     tried = {option.split()[0] for option in OPTIONS}
     assert shown - tried == {"-h", "-o", "--size", "--frames", "--monitor"}
     assert tried - shown == {"--projection"}  # the old name of --view
+
+
+def test_the_documentation_has_every_option_and_every_key(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    page = (ROOT / "docs" / "surfaces.md").read_text("utf-8")
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    shown = re.findall(r"^  (--?[a-z-]+)", capsys.readouterr().out, re.MULTILINE)
+    listed = re.findall(r"`(--?[a-z-]+)[^`]*`", page[page.index("| option |") :])
+    assert set(listed) == set(shown) - {"-h"}
+    for names in (PROJECTIONS, MODES, FIELDS, RAMPS):
+        assert ", ".join(f"`{name}`" for name in names) in page
+    for keys, meaning in HELP:
+        assert f"| `{keys}` | {meaning} |" in page
 
 
 @pytest.mark.parametrize("size", [(320, 200), (640, 480), (800, 300), (1024, 768)])
