@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surfaces import frame
-from surfaces.arrays import Box, Doubles
+from surfaces.arrays import Box, Doubles, keep_freed_memory
 from surfaces.frame import Frame, draw_bar, write_title
 from surfaces.shape.sampling import Interval
 from surfaces.space.fitting import fit
@@ -93,6 +93,7 @@ class Look:
             transform: 4x4, what moves it before it is mapped. None: nothing.
             mapping: How it is mapped to the screen. None: so that it fits.
         """
+        keep_freed_memory()
         pen = Pen(self.on)
         fitted, mapping = self._fitted(pen, box, mapping, turning=transform is not None)
         T = fitted if transform is None else compose(fitted, _checked(transform))

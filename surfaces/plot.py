@@ -30,13 +30,6 @@ from surfaces.visible.painter import Picture
 from surfaces.visible.pictures import HeightPicture, SheetPicture
 
 Levels = int | Sequence[float]
-KEPT = 31 << 20
-"""A block that the C library of Linux still takes for an ordinary one, in bytes."""
-
-# That library hands the memory of a large array back to the system when it is freed, and the next
-# frame pays for fresh pages, a fifth of its time; until a block has been freed: from then on it
-# keeps twice as much. This block is never written to; elsewhere it changes nothing.
-np.empty(KEPT, np.uint8)
 
 
 @dataclass(frozen=True)
@@ -304,7 +297,7 @@ def _around(grids: Sequence[Grid]) -> Box:
 
 
 def _levels(levels: Levels, heights: Interval) -> list[float]:
-    """Round heights inside the surface, about so many, or those given."""
+    """Heights for contours: about as many round ones as asked for, or those given."""
     low, high = heights
     if not isinstance(levels, int):
         return [float(level) for level in levels]
