@@ -22,7 +22,7 @@ from surfaces.formulas import FormulaError, formula
 from surfaces.modes import MODES
 from surfaces.plot import Plot, parametric, surface
 from surfaces.shape.fields import FIELDS
-from surfaces.shape.functions import FIGURES, Figure
+from surfaces.shape.figures import FIGURES, Figure
 from surfaces.shape.grid import Grid, data, sample
 from surfaces.space.mapping import Axonometry, Mapping, Projection
 from surfaces.space.projections import PROJECTIONS, orthographic

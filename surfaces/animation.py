@@ -1,12 +1,12 @@
 """A turn as a GIF: pictures go in one after another, a file that moves comes out.
 
-Pillow writes it; it comes with `pip install ".[record]"`. A bar on the terminal tells how far
-the drawing has come.
+Pillow writes it; it comes with `pip install ".[record]"`. A bar on the terminal shows how far the
+drawing has come.
 """
 
 import importlib.util
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from os import PathLike
 from typing import TextIO, TypeVar
 
@@ -21,12 +21,19 @@ class PillowMissing(RuntimeError):
 
 
 def save_gif(
-    file: str | PathLike[str], pictures: Iterator[str | PathLike[str]], milliseconds: int
+    file: str | PathLike[str], pictures: Iterable[str | PathLike[str]], milliseconds: int
 ) -> None:
-    """Write pictures, each a file that is read when its turn comes, as a GIF that never ends.
+    """Write pictures as a GIF that never ends, each of them in its own palette.
 
-    Each is shown for so many milliseconds, a multiple of 10, and in its own palette. PillowMissing,
-    with a line that helps, where Pillow is not installed; OSError if a file cannot be opened.
+    Args:
+        file: The GIF.
+        pictures: Files, each of them read when its turn comes: so one file can be all of them, if
+            an iterator draws the next picture into it.
+        milliseconds: How long each is shown, a multiple of 10.
+
+    Raises:
+        PillowMissing: where Pillow is not installed; its text is a line that helps.
+        OSError: if a file cannot be opened.
     """
     if importlib.util.find_spec("PIL") is None:
         raise PillowMissing('a GIF needs Pillow; type: pip install ".[record]"')

@@ -1,8 +1,8 @@
-"""Formulas such as "sin(x*y)/2", read by hand: a text becomes a function, and never a program.
+"""Formulas such as "sin(x*y)/2": a text becomes a function, and never a program.
 
 Python's own parser makes a tree of the text. Then we walk the tree, and each node must be in a
 table: a number, a name, an operator, a function of those below. What is in no table is refused, so
-a formula can do nothing but reckon. Numbers are floats, so no power grows beyond all bounds.
+a formula can only calculate. Numbers are floats, so no power grows beyond all bounds.
 
     f = formula("sin(x*y)/2")
     f(1.0, 2.0), f(xs, ys)
@@ -121,9 +121,13 @@ LONE_EQUALS = re.compile(r"(?<![<>=!])=(?!=)")
 
 
 class FormulaError(ValueError):
-    """A text that is no formula: what is wrong, where, and what to do about it.
+    """A text is not a formula: what is wrong, where, and what to do about it.
 
-    ``problem`` is one sentence; ``text[column : column + width]`` is the piece it is about.
+    Attributes:
+        problem: What is wrong, in one sentence.
+        text: The formula.
+        column: Where in it the piece begins that the problem is about...
+        width: ... and how many characters it has.
     """
 
     def __init__(self, problem: str, text: str, column: int, width: int) -> None:
@@ -142,10 +146,18 @@ class FormulaError(ValueError):
 def formula(text: str) -> Part:
     """Read z as a formula of x and y and return the function: numbers or arrays in, z out.
 
-    Names are those of ``NAMES``, functions those of ``FUNCTIONS``, operators + - * / // % ^ (or
-    **), comparisons and parentheses. The function takes floats or arrays that broadcast, returns
-    float64 of their common shape, and gives NaN or infinity, never an error or a warning, where z
-    has no value. FormulaError if the text is anything else, or longer than 500 characters.
+    The names x, y, r, theta, pi and e; functions such as sin, sqrt, min and where; the operators
+    + - * / // % ^ (or **), comparisons and parentheses make a formula.
+
+    Args:
+        text: The formula, at most 500 characters.
+
+    Returns:
+        A function of two floats, or of two arrays that broadcast. It returns float64 of their
+        common shape, and gives NaN or infinity, never an error or a warning, where z has no value.
+
+    Raises:
+        FormulaError: if the text is anything else.
     """
     part = _Reader(re.sub(r"\s", " ", text).strip()).read()
 

@@ -53,7 +53,7 @@ class Frame:
         return np.where(self.view.eye > 0, self.low, self.high)
 
     def _edges(self, axis: int) -> list[tuple[Doubles, Doubles, int]]:
-        """The four edges along an axis: both ends, and how many far faces each belongs to."""
+        """The four edges along an axis: both ends, (3,), and to how many far faces each belongs."""
         found = []
         others = [other for other in range(3) if other != axis]
         for ends in product((self.low, self.high), repeat=2):
@@ -167,7 +167,7 @@ def write_title(pen: Pen, title: str) -> None:
 
 
 def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
-    """What the colours stand for: a bar at the right, the least value at its foot."""
+    """A bar at the right that shows what the colours stand for, the least value at its foot."""
     character = pen.character
     left = pen.width - character * BAR_AND_NUMBERS
     right = left + round(character * BAR)

@@ -1,4 +1,7 @@
-"""Round numbers for an axis: steps of 1, 2 or 5 times a power of ten."""
+"""Round numbers for an axis: steps of 1, 2 or 5 times a power of ten.
+
+Compare Heckbert's "Nice numbers for graph labels" in Graphics Gems, 1990.
+"""
 
 from math import ceil, floor, log10
 

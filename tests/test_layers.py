@@ -65,9 +65,9 @@ LAYERS = [
     "surfaces.space.fitting",
     "surfaces.space.view",
     "surfaces.space",
-    "surfaces.shape.functions",
     "surfaces.shape.cells",
     "surfaces.shape.sampling",
+    "surfaces.shape.figures",
     "surfaces.shape.rim",
     "surfaces.shape.grid",
     "surfaces.shape.contours",
@@ -178,12 +178,13 @@ def test_only_the_page_sets_pixels():
             assert "pygame.draw" not in text, name
 
 
-def test_a_name_of_a_module_or_class_stands_for_one_thing():
+@pytest.mark.parametrize("package", ["bgi", "surfaces"])
+def test_a_name_of_a_module_or_class_stands_for_one_thing(package):
     """But for the topics: `bgi.api.X` holds the functions whose methods `bgi.graphics.X` holds."""
     topics = {path.stem for name, path in MODULES if name.startswith("bgi.graphics.")}
     stems, classes = [], []
     for name, path in MODULES:
-        if name.startswith("bgi.") and path.stem not in ("__init__", "__main__"):
+        if name.startswith(f"{package}.") and path.stem not in ("__init__", "__main__"):
             tree = ast.parse(path.read_text(encoding="utf-8"))
             classes += [node.name for node in tree.body if isinstance(node, ast.ClassDef)]
             if not (name.startswith("bgi.api.") and path.stem in topics):

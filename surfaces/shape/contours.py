@@ -3,7 +3,7 @@
 In a cell, the surface is either above or below the level at each corner. Where two neighbouring
 corners differ, the contour crosses the side between them, at the place that interpolates linearly;
 the crossings of a cell are joined in pairs. A saddle has four: the mean of its corners says which
-go together.
+go together. (It is the plane's case of marching cubes: Lorensen and Cline, 1987.)
 """
 
 from typing import NamedTuple
@@ -20,6 +20,7 @@ class Contours(NamedTuple):
     starts: Doubles
     """(m, 3): points of the surface."""
     ends: Doubles
+    """(m, 3)"""
     cell: Ints
     """(m, 2): the cell i, j that each lies in."""
 

@@ -1,7 +1,7 @@
 """Where a surface ends inside a cell: the rim of a hole.
 
 sqrt(1 - x*x - y*y) has values inside a circle, and no grid has that circle among its lines. Between
-a node with a value and a neighbour without, halving finds where the values end; a cell that has
+a node with a value and a neighbour without, bisection finds where the values end; a cell that has
 both kinds is part of the surface as far as the line between two such ends. Where a function has
 values right up to the neighbour and again behind it, as 1/x about 0, or grows without end, as
 log(r) there, there is no rim: the hole is a missing point, or a pole.
@@ -19,25 +19,25 @@ Value = Callable[[Doubles, Doubles], Doubles]
 """Heights at points; NaN where there is none."""
 
 HALVINGS = 12
-"""They tell the rim to a four-thousandth of a cell."""
+"""Steps of the bisection: they find the rim to 1/4096 of a cell."""
 SETTLING, SMALL = 0.8, 1e-3
-"""Heights settle if the last 64th of the way changes them by less than so much of what the last
-eighth but for that does, or by so little of the surface's height."""
+"""A height has settled if over the last 1/64 of the way it changes by at most SETTLING times its
+change over the 7/64 before, plus SMALL of the surface's height."""
 
 
 @dataclass(frozen=True)
 class Rim:
-    """Parts of cells at the rims of holes."""
+    """Parts of cells at the rims of holes. Nodes and cells are numbered row by row."""
 
     points: Doubles
     """(r, 3): where lines of the grid end."""
     beside: Ints
-    """(r,): the node at which each such line comes from the surface, in the flattened grid."""
+    """(r,): the number of the node from which each such line comes."""
     corners: Ints
-    """(m, 4): quadrangles, or triangles with one corner twice; counted from 0 the nodes of the
-    flattened grid, then the points."""
+    """(m, 4): quadrangles, or triangles with one corner twice. A number is that of a node or, from
+    the number of nodes on, of a point."""
     cell: Ints
-    """(m,): which cell each is part of, in the flattened grid of cells."""
+    """(m,): the number of the cell that each is part of."""
 
     def triangles(self, nodes: Doubles) -> Doubles:
         """The parts as triangles in space, (2 m, 3, 3); `nodes` are the grid's, (n, 3)."""
@@ -46,7 +46,7 @@ class Rim:
 
 
 def _pieces(case: int) -> list[tuple[int, int, int, int]]:
-    """What is there of a cell if those corners are whose bits are set.
+    """The parts of a cell that are there, if its bits say which of the four corners are.
 
     Places 0 to 3 are the corners in their order, 4 to 7 the ends on the sides that follow them.
     """

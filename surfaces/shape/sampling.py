@@ -20,7 +20,7 @@ TINY = 1 / HUGE
 
 
 def interval(name: str, given: Any) -> Interval:
-    """What was given as an interval (a, b); ValueError, with its name, unless a < b."""
+    """An interval (a, b) as it was given; ValueError, with its name, unless a < b."""
     try:
         a, b = given
         ordered = -np.inf < a < b < np.inf
@@ -37,7 +37,9 @@ def nodes(n: int | tuple[int, int], **intervals: Any) -> tuple[Doubles, Doubles]
     """The nodes of n by n cells, or n = (nx, ny), over two intervals given with their names.
 
     `nodes((2, 4), x=(0, 1), y=(0, 1))` are 3 numbers for x and 5 for y.
-    ValueError unless n is 1 or more and the intervals are (a, b) with a < b.
+
+    Raises:
+        ValueError: unless n is 1 or more and the intervals are (a, b) with a < b.
     """
     counts = n if isinstance(n, tuple) else (n, n)
     if min(counts) < 1:

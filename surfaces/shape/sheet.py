@@ -29,8 +29,10 @@ class Sheet:
         """Evaluate f(u, v) -> (x, y, z) on n by n cells, or nu by nv for n = (nu, nv).
 
         f is called once, with two arrays of (nu+1, nv+1) numbers.
-        ValueError unless u and v are (a, b) with a < b, n is 1 or more, f gives three coordinates,
-        and a point is finite.
+
+        Raises:
+            ValueError: unless u and v are (a, b) with a < b, n is 1 or more, f gives three
+                coordinates, and a point is finite.
         """
         us, vs = nodes(n, u=u, v=v)
         across, along = np.meshgrid(us, vs, indexing="ij")

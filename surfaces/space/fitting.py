@@ -1,13 +1,13 @@
 """The "proper scaling" of the paper's figures: how a surface fills the screen.
 
-x may run over 20 units and z over one.  So the surface is first put into a box of pleasing shape,
--1 to 1 along x and y, around (0, 0, 0); turned there, it keeps its shape.  Then `fit` chooses how
+x may run over 20 units and z over one. So the surface is first put into a box of pleasing shape,
+-1 to 1 along x and y, around (0, 0, 0); turned there, it keeps its shape. Then `fit` chooses how
 many pixels a unit of that box gets.
 """
 
 import numpy as np
 
-from surfaces.arrays import Doubles
+from surfaces.arrays import Box, Doubles
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.transforms import compose, scaling, translation
 
@@ -21,7 +21,7 @@ FLAT = 1e-12
 
 
 def fit(
-    box: tuple[Doubles, Doubles],
+    box: Box,
     width: int,
     height: int,
     projection: Projection | None = None,
@@ -33,14 +33,24 @@ def fit(
 ) -> tuple[Doubles, Projection]:
     """Scale a box to fill a screen of width x height pixels, its centre in the middle.
 
-    Returns a transform and a mapping.  The transform puts the box around (0, 0, 0), with x and y
-    from -1 to 1 and z so high that it takes the part ``zfrac`` of the height; turn the surface
-    there, and its shape is kept.  With zfrac None, one scale serves x, y and z.  The mapping, by
-    default the paper's, brings that to the screen.  ``aspect`` is the width of a pixel divided by
-    its height.  With ``turning`` the picture is small enough to stay on the screen however it is
-    turned.  ``labels`` is room to leave free, besides the margin.
+    Args:
+        box: The lowest and the highest corner, (3,) each.
+        width: Pixels of the screen, across...
+        height: ... and down.
+        projection: How the box is seen. None: as the paper does.
+        zfrac: The part of the screen's height that z takes, between 0 and 1. None: one scale for
+            x, y and z.
+        aspect: The width of a pixel divided by its height.
+        turning: Whether the picture must stay on the screen however it is turned: it is smaller.
+        labels: Room to leave free, besides the margin.
 
-    ValueError if zfrac is outside its range, or nothing is left of the screen.
+    Returns:
+        A transform, 4x4, and a mapping. The transform puts the box around (0, 0, 0), with x and y
+        from -1 to 1; turn the surface there, and its shape is kept. The mapping brings that to the
+        screen.
+
+    Raises:
+        ValueError: if zfrac is outside its range, or nothing is left of the screen.
     """
     if zfrac is not None and not 0.0 < zfrac < 1.0:
         raise ValueError(f"zfrac must be between 0 and 1, not {zfrac!r}")
@@ -80,5 +90,5 @@ def fit(
 
 
 def _ratio(space: float, size: float) -> float:
-    """How often the size goes into the space; what has no size is no limit."""
+    """How often the size goes into the space; infinitely often if there is no size."""
     return float(space / size) if size > 1e-12 * space else np.inf

@@ -2,16 +2,17 @@
 
 Sandipan Dey, Ajith Abraham, Sugata Sanyal: "A Very Simple Approach for 3-D to 2-D Mapping".
 y goes right and z goes up, both at full length; x comes toward the viewer, drawn down to the left,
-theta away from the downward vertical.  (Textbooks call this a cavalier projection.)  Numbers in
+theta away from the downward vertical. (Textbooks call this a cavalier projection.) Numbers in
 brackets, here and below, are the paper's equations.
 
-Two numbers do not tell three apart, so the map keeps z beside them: (x, y, z) -> (x', y', z) has an
-inverse (7)-(15), and a transform of space becomes a transform of the screen (16).
+From two numbers three cannot be found again, so the map keeps z beside them: (x, y, z) ->
+(x', y', z) has an inverse (7)-(15), and a transform of space becomes a transform of the screen
+(16).
 
-We add one thing, ``scale``: pixels per unit along each axis, the "proper scaling" of the paper's
+We add one thing, `scale`: pixels per unit along each axis, the "proper scaling" of the paper's
 figures, without which sin() would be two pixels high.
 
-All that is asked of the map is three arrows: where x, y and z go on the screen.  Pohlke's theorem
+All that is asked of the map is three arrows: where x, y and z go on the screen. Pohlke's theorem
 says that any three arrows will do, as long as they are not all on one line; so the same few
 matrices give every parallel projection there is: `surfaces.space.projections` has the usual ones.
 """
@@ -30,14 +31,12 @@ Arrow = tuple[float, float]
 
 
 class Projection(ABC):
-    """A parallel projection: three arrows, an origin and scales, and all that follows from them.
-
-    origin  the pixel (x0, y0) where (0, 0, 0) appears.
-    scale   pixels per unit along x, y and z, all above zero.
-    """
+    """A parallel projection: three arrows, an origin and scales, and all that follows from them."""
 
     origin: Arrow
+    """The pixel (x0, y0) where (0, 0, 0) appears."""
     scale: Point
+    """Pixels per unit along x, y and z, all above zero."""
 
     @property
     @abstractmethod
@@ -46,9 +45,12 @@ class Projection(ABC):
 
     @abstractmethod
     def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> "Projection":
-        """The same view, ``unit`` times as large and with another origin.
+        """The same view, in another size at another place.
 
-        ``aspect`` is the width of a pixel divided by its height: what goes down shrinks by it.
+        Args:
+            origin: The pixel where (0, 0, 0) appears.
+            unit: How many times as large.
+            aspect: The width of a pixel divided by its height: what goes down shrinks by it.
         """
 
     def _check(self) -> None:
@@ -67,7 +69,7 @@ class Projection(ABC):
     def M33(self) -> Doubles:
         """The invertible 3x3 matrix of (7): [x y z] @ M33 = [x'-x0  y'-y0  z].
 
-        The paper's has the determinant -ax ay cos(theta), whatever rho_z is.  (In (8) the paper
+        The paper's has the determinant -ax ay cos(theta), whatever rho_z is. (In (8) the paper
         sets a matrix equal to a number: a "det" is missing in the middle.)
         """
         return np.column_stack((self.M32, (0.0, 0.0, 1.0)))
@@ -93,8 +95,8 @@ class Projection(ABC):
         """The direction in space that points at the viewer: (1, s, c) in the paper's view.
 
         Points P and P + t eye fall on the same pixel, and the one with the larger t is nearer: eye
-        spans the kernel of M32.  It is the cross product of its columns, taken in the order for
-        which x, y and z are right-handed, as in the paper's view.  There, all its components are
+        spans the kernel of M32. It is the cross product of its columns, taken in the order for
+        which x, y and z are right-handed, as in the paper's view. There, all its components are
         above zero, so that of two points on one pixel the nearer has the larger x, y and z.
         """
         right, down = self.M32.T
@@ -115,7 +117,7 @@ class Projection(ABC):
     def screen_matrix(self, T: Doubles) -> Doubles:
         """The paper's M' (16): what the transform T of space does to triples (x', y', z).
 
-        A 4x4 matrix for ``apply`` and ``power``; n times T is n times M'.  The paper multiplies
+        A 4x4 matrix for `apply` and `power`; n times T is n times M'. The paper multiplies
         screen points by a 3x3 M' although they contain the origin (x0, y0), which is right only
         where M' leaves the origin alone; a fourth coordinate puts that right, and lets T move.
 
@@ -129,13 +131,15 @@ class Projection(ABC):
 class Mapping(Projection):
     """Where a point of space appears on the screen, in the paper's oblique view.
 
-    theta   radians, 0 < theta < pi/2: how far the x axis leans from straight down.
-    rho_z   0 < rho_z <= 1, the paper's compression of heights.  (Its text says < 1, but its own
+    Args:
+        theta: How far the x axis leans from straight down: radians, 0 < theta < pi/2.
+        rho_z: The paper's compression of heights, 0 < rho_z <= 1. (Its text says < 1, but its own
             default is 1.)
-    origin  the pixel (x0, y0) where (0, 0, 0) appears.
-    scale   pixels per unit along x, y and z, all above zero.
+        origin: The pixel (x0, y0) where (0, 0, 0) appears.
+        scale: Pixels per unit along x, y and z, all above zero.
 
-    ValueError if a number is outside its range.
+    Raises:
+        ValueError: if a number is outside its range.
     """
 
     theta: float = pi / 4
@@ -183,10 +187,20 @@ class Mapping(Projection):
 
 @dataclass(frozen=True)
 class Axonometry(Projection):
-    """A view given by three arrows: x, y and z lead (right, down) so many pixels per unit.
+    """A view given by three arrows: where a unit of x, y and z leads on the screen.
 
-    Of the two ways to see three arrows, we see the right-handed one.  ValueError if the arrows of
-    x and y are on one line: then the way back from (x', y', z) does not exist.
+    Of the two ways to see three arrows, we see the right-handed one.
+
+    Args:
+        x: Pixels (right, down) for a unit of x.
+        y: The same for y.
+        z: The same for z.
+        origin: The pixel (x0, y0) where (0, 0, 0) appears.
+        scale: By how much each arrow is stretched, all above zero.
+
+    Raises:
+        ValueError: if the arrows of x and y are on one line: then the way back from (x', y', z)
+            does not exist.
     """
 
     x: Arrow

@@ -11,7 +11,7 @@
     side           the same from the right: y right, x toward the viewer    1/4 : 1 : 0.97
 
 The first three are oblique: the lines of sight meet the paper aslant, so one face of a cube keeps
-its shape, and a turning body seems to breathe.  The others are orthographic, as a camera far away
+its shape, and a turning body seems to breathe. The others are orthographic, as a camera far away
 sees it; `orthographic` gives all of these.
 """
 
@@ -21,10 +21,14 @@ from surfaces.space.mapping import Axonometry, Mapping, Projection
 
 
 def orthographic(azimuth: float, elevation: float) -> Axonometry:
-    """The view from far away, the eye `elevation` above the floor and `azimuth` from the x axis.
+    """The view from far away, straight at the surface.
 
-    Both in radians; the azimuth turns from x toward y.  A negative elevation looks from below.
-    ValueError for an elevation of zero, where the floor is but a line, or beyond pi/2.
+    Args:
+        azimuth: How far the eye is turned from the x axis toward y, in radians.
+        elevation: How high it is above the floor, in radians; below zero it looks from below.
+
+    Raises:
+        ValueError: for an elevation of zero, where the floor is only a line, or beyond pi/2.
     """
     if not 0.0 < abs(elevation) <= pi / 2:
         raise ValueError(f"elevation must be from -pi/2 to pi/2 and not 0, not {elevation!r}")

@@ -1,8 +1,9 @@
 """Moving, scaling and turning points of space: 4x4 matrices for row vectors.
 
-The paper writes a point as a row and puts the matrix on its right, P' = P x T.  So do we: the last
-row of T is the translation, and ``A @ B`` means "first A, then B".  A 3x3 matrix as in the paper
-cannot hold a translation; with a fourth coordinate that is always 1, it can.
+The paper writes a point as a row and puts the matrix on its right, P' = P x T. So do we: the last
+row of T is the translation, and `A @ B` means "first A, then B". A 3x3 matrix as in the paper
+cannot hold a translation; with a fourth coordinate that is always 1, it can (such coordinates are
+called homogeneous).
 """
 
 from collections.abc import Iterator
@@ -22,7 +23,9 @@ AXES: dict[str, Point] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0,
 def affine(linear: ArrayLike, shift: ArrayLike = ORIGIN) -> Doubles:
     """The transform p -> p @ linear + shift, as one 4x4 matrix.
 
-    ``linear`` is 3x3 (a shear, a reflection, anything), ``shift`` three numbers.
+    Args:
+        linear: 3x3: a shear, a reflection, anything.
+        shift: Three numbers.
     """
     T = np.eye(4)
     T[:3, :3] = linear
@@ -36,7 +39,7 @@ def translation(dx: float, dy: float, dz: float) -> Doubles:
 
 
 def scaling(sx: float, sy: float, sz: float, about: Point = ORIGIN) -> Doubles:
-    """Stretch by sx, sy, sz along the axes; the point ``about`` stays where it is.
+    """Stretch by sx, sy, sz along the axes; the point `about` stays where it is.
 
     A factor below zero reflects; a factor of zero flattens, which nothing can undo.
     """
@@ -44,11 +47,18 @@ def scaling(sx: float, sy: float, sz: float, about: Point = ORIGIN) -> Doubles:
 
 
 def rotation(axis: str | Point, angle: float, about: Point = ORIGIN) -> Doubles:
-    """Turn by ``angle`` radians about an axis through the point ``about``.
+    """Turn about an axis (Rodrigues' formula).
 
-    ``axis`` is "x", "y", "z" or any vector (x, y, z) but (0, 0, 0).  Seen from the tip of the axis
-    a positive angle turns counterclockwise: "z" takes +x to +y, "x" takes +y to +z, "y" +z to +x.
-    ValueError for another name or a vector without a direction.
+    Seen from the tip of the axis a positive angle turns counterclockwise: "z" takes +x to +y, "x"
+    takes +y to +z, "y" takes +z to +x.
+
+    Args:
+        axis: "x", "y", "z" or any vector (x, y, z) except (0, 0, 0).
+        angle: In radians.
+        about: A point on the axis: it stays where it is.
+
+    Raises:
+        ValueError: for another name or a vector without a direction.
     """
     x, y, z = _direction(axis)
     along = np.outer((x, y, z), (x, y, z))
@@ -68,9 +78,11 @@ def compose(*transforms: Doubles) -> Doubles:
 def power(T: Doubles, n: int) -> Doubles:
     """The transform T done n times over; for n below zero, undone.
 
-    By repeated squaring: 11 products for n = 360.  A rotation needs none at all, for
-    ``power(rotation(axis, angle), n)`` is ``rotation(axis, n * angle)``.
-    numpy.linalg.LinAlgError if n < 0 and T flattens.
+    By repeated squaring: 11 products for n = 360. A rotation needs none at all, for
+    `power(rotation(axis, angle), n)` is `rotation(axis, n * angle)`.
+
+    Raises:
+        numpy.linalg.LinAlgError: if n < 0 and T flattens.
     """
     return np.linalg.matrix_power(T, n)
 
@@ -93,7 +105,7 @@ def apply(points: ArrayLike, T: Doubles) -> Doubles:
 
 
 def _keeping(linear: Doubles, fixed: Point) -> Doubles:
-    """Apply ``linear`` so that the point ``fixed`` stays: the shift is q - q @ linear."""
+    """Apply `linear` so that the point `fixed` stays: the shift is q - q @ linear."""
     return affine(linear, np.asarray(fixed) - np.asarray(fixed) @ linear)
 
 

@@ -15,7 +15,7 @@ from surfaces.space.mapping import Projection
 
 @dataclass(frozen=True)
 class View:
-    """How a surface is seen: all that its hidden parts depend on."""
+    """How a surface is seen: everything that its hidden parts depend on."""
 
     screen: Doubles
     """4x4: from (x, y, z, 1) on the surface to (x', y', z, 1) on the screen."""
@@ -31,15 +31,17 @@ class View:
     def of(cls, T: Doubles, mapping: Projection) -> "View":
         """The view of a surface that is first transformed by T, 4x4, then mapped.
 
-        ValueError if T flattens space: then there is no way back.
+        Raises:
+            ValueError: if T flattens space: then there is no way back.
         """
         return cls(T @ mapping.M4, eye_from_surface(mapping.eye, T))
 
 
 def eye_from_surface(eye: Doubles, T: Doubles) -> Doubles:
-    """The direction of the eye before the transform T: eye @ inverse of T's 3x3 part.
+    """The direction of the eye, (3,), before the transform T: eye @ inverse of T's 3x3 part.
 
-    ValueError if T flattens space: then there is no way back.
+    Raises:
+        ValueError: if T flattens space: then there is no way back.
     """
     try:
         direction: Doubles = eye @ np.linalg.inv(T[:3, :3])

@@ -7,7 +7,7 @@
 It has nothing but putpixel and outtextxy: lines and polygons come out of pixels, as on any system.
 """
 
-# Colours as characters. 16 to 175 are the upper side's ramp, 176 to 255 the under side's.
+# Characters for colours: 16 to 175 are the upper side's ramp, 176 to 255 the under side's.
 UPPER = ".:-=+*o#%@"
 UNDER = "'`,;"
 FIRST, MIDDLE, COLORS = 16, 176, 256

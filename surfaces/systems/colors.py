@@ -5,8 +5,9 @@ blue over cyan, green and yellow to red. A mode of 256 colours has room for two 
 16 to 175 are loaded with that of the upper side, 176 to 255 with that of the under side, and the
 sixteen everyday colours stay as they are. A mode of 16 has some of these colours ready made: the
 values fall into bands, or, dithered, between two bands the pixels take the two colours in turn, in
-a pattern of four by four that makes seventeen mixtures. A mode of 4 gives three bands. With 2
-colours bands alternate between light and dark, as on a map; dithered, they make greys.
+a pattern of four by four that makes seventeen mixtures (Bayer's ordered dithering). A mode of 4
+gives three bands. With 2 colours bands alternate between light and dark, as on a map; dithered,
+they make greys.
 """
 
 from dataclasses import dataclass, replace
@@ -15,13 +16,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfaces.arrays import Bools, Ints
-from surfaces.systems.pen import Pen
+from surfaces.systems.pen import (
+    BLUE,
+    BROWN,
+    CYAN,
+    DARKGRAY,
+    GREEN,
+    LIGHTBLUE,
+    LIGHTCYAN,
+    LIGHTGRAY,
+    LIGHTGREEN,
+    LIGHTMAGENTA,
+    LIGHTRED,
+    MAGENTA,
+    RED,
+    WHITE,
+    YELLOW,
+    Pen,
+)
 
 # Palette entries of the upper and of the under side where there are 256.
 UPPER, UNDER = np.arange(16, 176), np.arange(176, 256)
 
-# How much of a band each pixel of a 4x4 square must be above it to get the next band's colour.
-DITHER = (np.array(((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))) + 0.5) / 16
+# Bayer's thresholds (1973) for the pixels of a 4x4 square, as parts of a band.
+BAYER = (np.array(((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))) + 0.5) / 16
 
 
 @dataclass(frozen=True)
@@ -29,7 +47,7 @@ class Ramp:
     """Colours from the least value to the greatest."""
 
     rgb: tuple[tuple[int, int, int], ...]
-    """Corners in red, green and blue, 0 to 255, evenly spaced; between them the ramp is mixed."""
+    """Colours at even steps, in red, green and blue, 0 to 255; between them the ramp is mixed."""
     sixteen: tuple[int, ...]
     """The colours of graphics.h that come near it."""
 
@@ -42,29 +60,29 @@ class Ramp:
 
 
 RAMPS: dict[str, Ramp] = {
-    # BLUE LIGHTBLUE CYAN LIGHTCYAN LIGHTGREEN YELLOW LIGHTRED RED
     "rainbow": Ramp(
         ((0, 0, 255), (0, 255, 255), (0, 255, 0), (255, 255, 0), (255, 0, 0)),
-        (1, 9, 3, 11, 10, 14, 12, 4),
+        (BLUE, LIGHTBLUE, CYAN, LIGHTCYAN, LIGHTGREEN, YELLOW, LIGHTRED, RED),
     ),
-    # BLUE MAGENTA RED LIGHTRED YELLOW WHITE
     "heat": Ramp(
         ((24, 0, 60), (120, 10, 100), (220, 50, 40), (255, 160, 20), (255, 255, 190)),
-        (1, 5, 4, 12, 14, 15),
+        (BLUE, MAGENTA, RED, LIGHTRED, YELLOW, WHITE),
     ),
-    # BLUE LIGHTBLUE GREEN LIGHTGREEN BROWN LIGHTGRAY WHITE
     "earth": Ramp(
         ((12, 40, 130), (60, 150, 200), (50, 130, 60), (200, 190, 90), (140, 90, 50), (250,) * 3),
-        (1, 9, 2, 10, 6, 7, 15),
+        (BLUE, LIGHTBLUE, GREEN, LIGHTGREEN, BROWN, LIGHTGRAY, WHITE),
     ),
-    # BLUE LIGHTBLUE LIGHTCYAN WHITE
-    "ice": Ramp(((10, 20, 90), (30, 110, 200), (120, 220, 240), (255, 255, 255)), (1, 9, 11, 15)),
-    # DARKGRAY BROWN YELLOW WHITE
-    "copper": Ramp(((30, 12, 6), (150, 80, 40), (245, 170, 105), (255, 235, 210)), (8, 6, 14, 15)),
-    # DARKGRAY LIGHTGRAY WHITE
-    "grey": Ramp(((30, 30, 30), (250, 250, 250)), (8, 7, 15)),
-    # MAGENTA LIGHTMAGENTA: what the others leave free, for the under side
-    "dusk": Ramp(((60, 20, 80), (150, 50, 150), (230, 140, 210)), (5, 13)),
+    "ice": Ramp(
+        ((10, 20, 90), (30, 110, 200), (120, 220, 240), (255, 255, 255)),
+        (BLUE, LIGHTBLUE, LIGHTCYAN, WHITE),
+    ),
+    "copper": Ramp(
+        ((30, 12, 6), (150, 80, 40), (245, 170, 105), (255, 235, 210)),
+        (DARKGRAY, BROWN, YELLOW, WHITE),
+    ),
+    "grey": Ramp(((30, 30, 30), (250, 250, 250)), (DARKGRAY, LIGHTGRAY, WHITE)),
+    # Unlike the rainbow's colours, for the under side.
+    "dusk": Ramp(((60, 20, 80), (150, 50, 150), (230, 140, 210)), (MAGENTA, LIGHTMAGENTA)),
 }
 
 FEW: dict[int, Ints] = {2: np.array((1, 0, 1, 0, 1, 0, 1)), 4: np.arange(1, 4)}
@@ -75,12 +93,16 @@ GREYS = np.arange(2)
 
 @dataclass(frozen=True)
 class Palette:
-    """How values become palette entries on a screen of so many colours."""
+    """How values become palette entries on a screen."""
 
     colors: int
+    """How many the screen has: 2, 4, 16 or 256."""
     ramp: Ramp
+    """Those of the upper side..."""
     under: Ramp
+    """... and of the under side."""
     dither: bool
+    """Whether to mix neighbouring bands, where there are fewer than 256."""
 
     def load(self, pen: Pen) -> None:
         """Load the ramps into the palette, where there is room for them."""
@@ -99,12 +121,12 @@ class Palette:
     def shade(
         self, value: NDArray[np.floating], x: Ints, y: Ints, under: bool | Bools = False
     ) -> Ints:
-        """The palette entry of values at pixels x, y: 0 for the least, 1 for the greatest."""
+        """The palette entry of values, 0 to 1, at pixels x, y; all of one shape."""
         if isinstance(under, np.ndarray):
             return np.where(under, self.shade(value, x, y, True), self.shade(value, x, y))
         entries = self.entries(under)
         if self.dither and self.colors < 256:
-            band = value * (len(entries) - 1) + DITHER[y & 3, x & 3]
+            band = value * (len(entries) - 1) + BAYER[y & 3, x & 3]
         else:
             band = value * len(entries)
         shades: Ints = entries.take(np.clip(band, 0, len(entries) - 1).astype(np.int64))

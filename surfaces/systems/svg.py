@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
 
+from surfaces.systems.pen import WHITE
+
 Pixel = tuple[int, int]
 
 # Red, green and blue of graphics.h's sixteen colours, as the EGA mixes them.
@@ -21,7 +23,7 @@ SIXTEEN = (
 
 
 class Svg:
-    """A drawing of so many units, with 256 colours on a background."""
+    """A drawing of width by height units, with 256 colours on a background."""
 
     vector = True
     """Polygons are better than pixels here."""
@@ -30,7 +32,7 @@ class Svg:
         self._size = width, height
         self._palette = [*SIXTEEN, *("#ffffff",) * 240]
         self._palette[0] = background
-        self._color, self._fill = 15, 15
+        self._color, self._fill = WHITE, WHITE
         self._shapes: list[str] = []
 
     def getmaxx(self) -> int:

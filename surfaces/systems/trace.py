@@ -2,8 +2,9 @@
 
 The rules are those of Borland's driver, so that a picture drawn pixel by pixel is the picture that
 graphics.h draws. A line goes downwards, n steps along its longer side, and after i of them
-(2 m i + n) // (2 n) along the shorter one. A polygon is filled from its topmost row to the one
-above its lowest, between the crossings of its sides in pairs, both ends included.
+(2 m i + n) // (2 n) along the shorter one, whose length is m. A polygon is filled row by row
+(scan-line filling, by the even-odd rule), from its topmost to the one above its lowest, between the
+crossings of its sides in pairs, both ends included.
 """
 
 from collections.abc import Iterator, Sequence
@@ -15,22 +16,25 @@ from surfaces.arrays import Doubles, Ints
 
 Pixel = tuple[int, int]
 
-# Added to a half, it tells where that is rounded to. No other place of a line on a screen, half a
-# pixel or more divided by the line's length, is so near to a half.
+# Breaks ties: nudges an exact half up or down. Along a line of n steps all places are multiples of
+# 1/n, so what is not a half is at least 1/(2n) away from one: more than this on any screen.
 TIE = 2.0**-16
 # Beyond any screen, yet small enough that the products of two coordinates fit into 64 bits.
 FAR = 2**24
 
 
 def rounded(points: Doubles) -> Ints:
-    """The nearest pixels to points of the screen.  (graphics.h would cut the fraction off.)"""
+    """The pixels nearest to points of the screen. (graphics.h would cut the fraction off.)"""
     return np.floor(np.clip(points, -FAR, FAR) + 0.5).astype(np.int64)
 
 
 def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, Ints, Ints]:
-    """The pixels of lines between (n, 2) ends, no less than 0: x, y, and whose each one is.
+    """The pixels of lines: x, y, and the number of the line that each belongs to.
 
-    Joined lines go without their last pixel, with which the next one begins.
+    Args:
+        starts: (n, 2): the first pixels, with no number below 0.
+        ends: (n, 2): the last ones.
+        joined: Whether to leave out each line's last pixel, with which another line begins.
     """
     x1, y1 = starts.T
     dx, dy = (ends - starts).T
@@ -48,7 +52,11 @@ def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, I
 
 
 def clip(starts: Doubles, ends: Doubles, width: int, height: int) -> tuple[Ints, Ints, Ints]:
-    """The parts of lines inside the screen: the pixels at both ends, (n, 2), and whose each is."""
+    """The parts of lines inside the screen, clipped as Liang and Barsky do (1984).
+
+    A line is start + t (end - start), and each edge of the screen says from which t on or up to
+    which t it is inside. The pixels at both ends, (n, 2), and the number of each part's line.
+    """
     room = np.array((width - 1.0, height - 1.0))
     if _inside(starts, room) and _inside(ends, room):
         return _nearest(starts), _nearest(ends), np.arange(len(starts))
@@ -71,7 +79,7 @@ def clip(starts: Doubles, ends: Doubles, width: int, height: int) -> tuple[Ints,
 
 
 def _nearest(points: Doubles) -> Ints:
-    """`rounded` for points of the screen: of what is not negative, truncation is the floor."""
+    """`rounded` for points of the screen: they are not negative, so truncation is the floor."""
     return (points + 0.5).astype(np.int64)
 
 
@@ -84,7 +92,7 @@ def _inside(points: Doubles, room: Doubles) -> bool:
 
 
 def polygon_rows(points: Sequence[Pixel], height: int) -> Iterator[tuple[int, int, int]]:
-    """The rows (y, left, right) that fill a polygon, as far as a screen of that height shows."""
+    """The rows (y, left, right) that fill a polygon, on a screen of that height."""
     sides = polygon_sides(points)
     top = max(min(min(a[1], b[1]) for a, b in sides), 0) if sides else 0
     bottom = min(max(max(a[1], b[1]) for a, b in sides), height) if sides else 0

@@ -1,9 +1,10 @@
-"""A depth for every pixel: cells anywhere in space, in any order, even through one another.
+"""The z-buffer: a depth for every pixel (Catmull's thesis, 1974).
 
-The paper keeps z beside x' and y', "only to get the inverse". On one pixel, though, larger z means
-nearer to the eye: the triple is all that a depth buffer needs. For turned surfaces we take what
-always holds, the distance along the line of sight. A cell is two triangles; each is filled row by
-row, its depth and its value running evenly, and each pixel keeps the nearest it was offered.
+It draws cells anywhere in space, in any order, even through one another. The paper keeps z beside
+x' and y', "only to get the inverse". On one pixel, though, larger z means nearer to the eye: the
+triple is all that a z-buffer needs. For turned surfaces we take what always holds, the distance
+along the line of sight. A cell is two triangles; each is filled row by row, its depth and its value
+running evenly, and each pixel keeps the nearest it was offered.
 """
 
 import numpy as np
@@ -13,9 +14,10 @@ from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
 
 CHUNK = 2048
-"""Cells at a time: what is made of them stays in the cache."""
+"""Cells at a time: the arrays that are made of them stay in the cache."""
 NEARNESS = 2.0**44
-"""Steps of depth from the farthest to the nearest; eight bits of colour go below them."""
+"""Steps of depth from the farthest to the nearest. Eight bits of colour go below them: then one
+maximum finds the nearest and its colour."""
 
 
 class DepthBuffer:
@@ -26,9 +28,13 @@ class DepthBuffer:
         self._nearest = np.full(pen.width * pen.height, -1, dtype=np.int64)
 
     def add(self, screen: Doubles, depth: Doubles, value: Doubles, under: Bools) -> None:
-        """Offer cells: corners (m, 4, 2) on the screen, depths 0 to 1 and values (m, 4).
+        """Offer cells to the pixels they cover.
 
-        ``under``, (m,): whether the under side is seen.
+        Args:
+            screen: (m, 4, 2): their corners on the screen.
+            depth: (m, 4): how near the corners are, 0 to 1.
+            value: (m, 4): what the colour shows there, 0 to 1.
+            under: (m,): whether the under side is seen.
         """
         for start in range(0, len(screen), CHUNK):
             part = slice(start, start + CHUNK)
@@ -39,7 +45,7 @@ class DepthBuffer:
                 self._triangles(corners[:, triangle], under[part])
 
     def _triangles(self, corners: Doubles, under: Bools) -> None:
-        """Offer triangles: corners (m, 3, 4), which are x, y, depth and value."""
+        """Offer triangles: corners (m, 3, 4), each of them x, y, depth and value."""
         a, ab, ac = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         area = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
         seen = np.flatnonzero(area)  # one seen on its edge covers no pixel
@@ -63,7 +69,10 @@ class DepthBuffer:
         np.maximum.at(self._nearest, y * self._pen.width + x, key)
 
     def _rows(self, corners: Doubles) -> tuple[Ints, Ints, Doubles, Doubles]:
-        """The rows of the screen that triangles meet: row, whose, and where it begins and ends."""
+        """The rows of pixels that triangles, (m, 3, 4), cover: four arrays, (n,).
+
+        The row of the screen, the number of the triangle, and where it begins and ends in the row.
+        """
         x, y = corners[:, :, 0].T, corners[:, :, 1].T
         top = np.ceil(np.maximum(y.min(axis=0), 0)).astype(np.int64)
         bottom = np.floor(np.minimum(y.max(axis=0), self._pen.height - 1)).astype(np.int64)
@@ -80,7 +89,7 @@ class DepthBuffer:
         return row, owner, left, far
 
     def draw(self) -> None:
-        """Draw what was the nearest."""
+        """Set each pixel to the nearest colour."""
         place = np.flatnonzero(self._nearest >= 0)
         y, x = np.divmod(place, self._pen.width)
         self._pen.pixels(x, y, self._nearest[place] & 255)

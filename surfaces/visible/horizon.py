@@ -18,7 +18,7 @@ from surfaces.visible.sweep import Block, Sweep
 
 # How far, in pixels, a line's pixel may lie behind the horizon and still be seen.
 SLACK = np.float32(0.5)
-# Lines traced at a time: what is made of them stays in the cache.
+# Lines traced at a time: the arrays that are made of them stay in the cache.
 CHUNK = 4096
 
 
@@ -26,15 +26,17 @@ class Pixels(NamedTuple):
     """Visible pixels of one side of the surface."""
 
     x: Ints
+    """(n,)"""
     y: Ints
+    """(n,)"""
     value: Singles
-    """The value of the field there: it runs evenly from line to line."""
+    """(n,): the value of the field there: it runs evenly from line to line."""
     under: bool
     """Whether the under side is seen."""
 
 
 def fill(sweep: Sweep, field: Doubles) -> Iterator[Pixels]:
-    """Every visible pixel with the value of a field given at the grid's nodes, a few at a time."""
+    """Every visible pixel with the value of a field over the grid's nodes, some at a time."""
     values = sweep.oriented(field).ravel()
     for phase in range(sweep.phases):
         rows, shifts = sweep.rows(phase)
@@ -57,9 +59,10 @@ def fill(sweep: Sweep, field: Doubles) -> Iterator[Pixels]:
 
 
 def _edges(block: Block, passed: Ints32) -> Iterator[tuple[bool, Ints32]]:
-    """Where the horizon ends after each line, as a number of rows passed: it never grows.
+    """How far the horizon has moved after each line, as the number of rows above it.
 
-    First where it rises; then where it falls, which is rising with the sign reversed.
+    For each way that it moves, up first: whether that is up, and an array of (columns, lines).
+    Where it moves down, the number has its sign reversed: either way it never grows.
     """
     height = len(passed) - 1
     if (block.upper[:, -1] < block.v[:, 0]).any():
@@ -74,13 +77,18 @@ class Runs(NamedTuple):
     """Pixels of one column that one strip gains."""
 
     line: Ints
-    """The strip's farther line, in an array over columns and lines; the nearer one precedes it."""
+    """(r,): the strip's farther line, in the flattened array of columns and lines; its nearer line
+    precedes it there."""
     pixels: Ints32
-    """How many pixels."""
+    """(r,): how many pixels."""
 
 
 def _gained(edge: Ints32) -> tuple[Ints, Ints, Runs]:
-    """The pixels by which strips move the horizon, column by column: rows passed, column, runs."""
+    """The pixels by which strips move the horizon, one column after another.
+
+    Each pixel's row, counted among those of the phase, and its column, (n,) each; and the runs of
+    pixels that come from one strip.
+    """
     counts = np.zeros_like(edge)
     np.subtract(edge[:, :-1], edge[:, 1:], out=counts[:, 1:])
     line = np.flatnonzero(counts > 0)
@@ -116,11 +124,11 @@ class Horizon:
             self._lower[block.columns] = block.lower
 
     def seen(self, x: Ints, y: Ints, line: Ints) -> tuple[Bools, Bools]:
-        """Which pixels, on the screen, are above and which below what hides them.
+        """Which pixels on the screen, (n,), are above and which below what hides them.
 
-        ``line`` is the nearer line of the strip that each lies in: with the lines up to this one
-        it is hidden between the horizons. Pixels lie up to half a pixel beside their line, and are
-        seen up to half a pixel behind the horizon.
+        `line`, (n,), is the nearer line of the strip that each lies in: the lines up to that one
+        hide it where it is between their horizons. Pixels lie up to half a pixel beside their line,
+        and are seen up to half a pixel behind the horizon.
         """
         row, column = (x, y) if self._sweep.lying else (y, x)
         column = column - self._shifts.take(row) - self._sweep.first
@@ -135,14 +143,15 @@ class Segments(NamedTuple):
     starts: Doubles
     """(n, 2)"""
     ends: Doubles
+    """(n, 2)"""
     line: Ints
-    """The nearer line of the strip that each lies in."""
+    """(n,): the nearer line of the strip that each lies in."""
     joined: bool = False
-    """Whether each begins where another one ends."""
+    """Whether another one begins where each ends, so that their last pixels can be left out."""
 
 
 def mesh(sweep: Sweep, x_every: int | None, y_every: int | None) -> Iterator[Segments]:
-    """The lines of the grid: every so many lines of constant x and of constant y, or none."""
+    """The lines of the grid: every n-th line of constant x, and of constant y; None for none."""
     across, along = (y_every, x_every) if sweep.of_y else (x_every, y_every)
     lines, nodes = sweep.shape
     if across:
@@ -157,7 +166,10 @@ def mesh(sweep: Sweep, x_every: int | None, y_every: int | None) -> Iterator[Seg
 
 
 def _chains(points: Doubles, line: Ints) -> Iterator[Segments]:
-    """The segments of lines from point to point, (points, lines, 2), and where each line ends."""
+    """The segments of lines from point to point, and then the points where they end.
+
+    `points` are (points, lines, 2), `line` the nearer line of the strip of each segment.
+    """
     starts, ends = points[:-1].reshape(-1, 2), points[1:].reshape(-1, 2)
     owners = np.broadcast_to(line, (len(points) - 1, points.shape[1]))
     yield Segments(starts, ends, owners.ravel(), joined=True)

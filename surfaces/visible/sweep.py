@@ -1,9 +1,11 @@
 """The floating horizon, column by column, in every affine view.
 
-Old plotters drew z = f(x, y) line by line from front to back and remembered, for every column of
-pixels, the highest and the lowest point drawn so far: the horizon. What lies between the two is
-hidden, what lies beyond is seen and moves the horizon. That needs heights to be vertical on the
-screen; here they may point anywhere.
+The programs of the seventies (Williamson's "Hidden-Line Plotting Program", 1972; Wright's "A
+Two-Space Solution to the Hidden Line Problem for Plotting Functions of Two Variables", 1973) drew
+z = f(x, y) line by line from front to back and remembered, for every column of the paper, the
+highest and the lowest point drawn so far: the horizon. What lies between the two is hidden, what
+lies beyond is seen and moves the horizon. That needs heights to be vertical on the screen; here
+they may point anywhere.
 
 Let g be the direction of the z axis on the screen. Along u = x' - (gx / gy) y' a height makes no
 difference, so u is a plain a x + b y + c, and all points with one u form a column parallel to g. In
@@ -11,8 +13,8 @@ it, each line of the grid is met in one point, at the height v = y' on the scree
 neighbouring lines the surface is the straight strip from point to point. (If g lies flat, x' and y'
 change places.) Each row of pixels takes the columns nearest to its pixels, and each pixel one.
 
-The lines are taken from the nearest to the farthest, as `visible.order` tells. That holds for
-every turn, shear and reflection, from above and from below.
+The lines are taken from the nearest to the farthest; `visible.order` says why that is right. It
+holds for every turn, shear and reflection, from above and from below.
 """
 
 from collections.abc import Iterator
@@ -25,12 +27,12 @@ from surfaces.shape.grid import Grid
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
 
-# Entries of a block of columns: what is made of them stays in the cache, and below the size at
-# which an allocator asks the system for fresh memory each time.
+# Crossings of columns and lines at a time: the arrays that are made of them stay in the cache, and
+# below the size at which an allocator asks the system for fresh memory each time.
 CHUNK = 1 << 14
 # Narrower than this many pixels, a surface is seen on its edge, and columns say nothing about it.
 EDGE_ON = 1.5
-# Heights of less than this many pixels are no direction to shear along.
+# Flatter than this many pixels on the screen: do not shear.
 NO_HEIGHT = 0.1
 # A shear that moves no row by more than this many pixels is a rounding error.
 NO_SHIFT = 0.01
@@ -39,15 +41,21 @@ PHASES = 3
 
 
 class Border(NamedTuple):
-    """Where columns leave the grid between two lines; the crossing stands in for a line missed."""
+    """Where columns leave the grid between two lines: they meet one of them, and miss the other.
+
+    The point on the grid's border stands in for the crossing that is missed. Arrays of (b,).
+    """
 
     column: Ints
+    """The column..."""
     line: Ints
+    """... and the line that it misses."""
     before: Ints
-    """The node on the border before the crossing, and the node behind it, in a flattened field."""
+    """The node before the point on the border, in a flattened field..."""
     behind: Ints
+    """... and the node behind it."""
     part: Singles
-    """How far the crossing is from the one to the other: 0 to 1."""
+    """How far the point is from the one to the other: 0 to 1."""
     s: Doubles
     """Where it lies between the lines."""
 
@@ -77,13 +85,14 @@ class Crossings(NamedTuple):
 
 
 class Block(NamedTuple):
-    """Some columns, side by side, and what is seen in them."""
+    """Some columns, side by side, and what is seen in them; arrays of (columns, lines)."""
 
     columns: slice
     """Which ones: places along u, from 0 for the sweep's first."""
     crossings: Crossings
     v: Singles
-    """How far down the screen each crossing is; at the column's nearest, where it meets no line."""
+    """How far down the screen each crossing is. Where a column misses a line, that of the nearest
+    line it meets."""
     upper: Singles
     """The horizon with that line and all nearer ones drawn: the least v so far..."""
     lower: Singles
@@ -123,7 +132,7 @@ class Sweep:
         self.s, self.t = (grid.x, grid.y)[k][self._order], (grid.x, grid.y)[j]
         steps = np.diff(self.t)
         self._even = bool(np.ptp(steps) < 1e-6 * steps.mean())
-        # Without a shear, what height there is, less than a pixel, counts as its middle.
+        # Unsheared, heights move a point less than a pixel along u: take their mean.
         self._u = to_u[3] + to_u[2] * (low + high) / 2, to_u[k], to_u[j]
         # Heights from 0 to 1: what is large about them stays in double precision.
         tall = (high - low) or 1.0
@@ -131,7 +140,7 @@ class Sweep:
         self._v = to_v[3] + to_v[2] * low, to_v[k], to_v[j], to_v[2] * tall
         self._rows = screen[3] + screen[2] * low, screen[k], screen[j], screen[2] * tall
         self._heights = low, tall
-        # Where heights cannot be told on the screen, the eye sees one side of everything.
+        # Too flat on the screen to rise or fall: the eye sees one side of everything.
         up = -self._v[3] if reach.max() > NO_HEIGHT else view.eye[2]
         self.rising_is_upper = bool(up > 0)
         """Whether a strip that rises above the horizon shows its upper side."""
@@ -139,7 +148,7 @@ class Sweep:
         corners = self.place_u(self.s[[0, -1]], self.t[[0, -1], None])
         self.edge_on = bool(np.ptp(corners) < EDGE_ON)
         """Whether the surface is seen on its edge: then there is hardly a column."""
-        # Of the surface's columns those on the screen, whose rows shift them by so many pixels:
+        # The columns on the screen: the last row shifts them by `shift` pixels.
         shift = self.shear * (self.size[1] - 1)
         self.first = int(np.ceil(max(corners.min(), min(0.0, -shift) - 1)))
         self.last = int(np.floor(min(corners.max(), self.size[0] + max(0.0, -shift))))
@@ -177,7 +186,7 @@ class Sweep:
         return np.ascontiguousarray(lines, dtype=np.float32)
 
     def shifts(self, phases: int) -> Ints:
-        """How far each row of the screen shifts the columns, in so many parts of a pixel."""
+        """How far each row of the screen shifts the columns, in pixels divided by `phases`."""
         rows = np.arange(self.size[1])
         shifts: Ints = np.floor(phases * self.shear * rows + 0.5).astype(np.int64)
         return shifts
@@ -232,7 +241,10 @@ class Sweep:
         return along
 
     def _border(self, u: Doubles, node: int, met: Bools) -> Border:
-        """Where columns pass between the ends of two lines and meet only one of these lines."""
+        """Where columns pass between the ends of two lines and meet only one of these lines.
+
+        `node` is the end: the first node of each line, 0, or its last.
+        """
         nodes = self._z.shape[1]
         ends = self.place_u(self.s, self.t[node])
         rising = 1 if ends[-1] > ends[0] else -1
@@ -248,7 +260,7 @@ class Sweep:
         return Border(column, missed, before, before + nodes, part.astype(np.float32), s)
 
     def heights(self, u: Doubles, crossings: Crossings) -> Singles:
-        """How far down the screen (v) the crossings are."""
+        """How far down the screen (v) the crossings are, (columns, lines)."""
         u0, us, ut = self._u
         v0, vs, vt, vz = self._v
         # v = v0 + vs s + vt t + vz z, with t from u = u0 + us s + ut t.
@@ -264,7 +276,7 @@ class Sweep:
     def points_at(self, px: float, py: float) -> Doubles:
         """All points (x, y, z) of the surface at a place of the screen, (m, 3), nearest first.
 
-        None if the surface is seen on its edge.  Holes, of NaN, are never hit.
+        There are none if the surface is seen on its edge, and none in a hole.
         """
         if self.edge_on:
             return np.zeros((0, 3))
@@ -278,7 +290,7 @@ class Sweep:
         return found
 
     def hidden(self, points: Doubles) -> Bools:
-        """Which points (m, 3) of space are behind a strip, by more than a cell is deep."""
+        """Which points (m, 3) of space lie behind a strip, by more than a cell is deep."""
         u, v = self._column(apply(points, self.view.screen)[:, :2])
         lines, down, met = self._profiles(u)
         down = down - v[:, None]
@@ -300,7 +312,10 @@ class Sweep:
         return across - self.shear * v, v
 
     def _profiles(self, u: Doubles) -> tuple[Doubles, Doubles, Bools]:
-        """Where columns meet the lines: points (m, lines, 3), v, and whether they do."""
+        """The surface along columns at u, (m,), as points where they meet the lines.
+
+        The points (m, lines, 3), their v, and whether they are met at all.
+        """
         crossings = self.crossings(u)
         u0, us, ut = self._u
         low, tall = self._heights

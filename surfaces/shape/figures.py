@@ -1,21 +1,22 @@
 """The four functions of the paper's figures, each with a domain and a shape that show it well."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi
 from typing import Any
 
 import numpy as np
 
+from surfaces.shape.sampling import Function, Interval
+
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: ``surface(fig.f, fig.x, fig.y, fig.n, zfrac=fig.zfrac)`` draws it."""
+    """One figure: `surface(fig.f, fig.x, fig.y, fig.n, zfrac=fig.zfrac)` draws it."""
 
     name: str
-    f: Callable[[Any, Any], Any]
-    x: tuple[float, float]
-    y: tuple[float, float]
+    f: Function
+    x: Interval
+    y: Interval
     n: int
     """Cells in each direction that make a good mesh."""
     zfrac: float
