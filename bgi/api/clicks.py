@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from bgi import current
-from bgi.constants import NO_CLICK, WM_MBUTTONDBLCLK, WM_MOUSEMOVE
+from bgi.constants import NO_CLICK
 from bgi.kernel.arguments import Number, whole
+from bgi.monitor.pointer import KINDS
 
 # fmt: off
 __all__ = [
@@ -93,6 +94,6 @@ def registermousehandler(kind: Number, handler: Callable[[int, int], object] | N
 
 def _kind(kind: Number) -> int:
     number = whole("kind", kind)
-    if not WM_MOUSEMOVE <= number <= WM_MBUTTONDBLCLK:
+    if number not in KINDS:
         raise ValueError(f"kind must be WM_MOUSEMOVE, WM_LBUTTONDOWN or the like, not {number}")
     return number

@@ -1,7 +1,4 @@
-"""The window on the desktop: the picture in its middle, as large as whole steps allow.
-
-The only file that has a pygame.display.
-"""
+"""The window on the desktop: the picture in its middle, as large as whole steps allow."""
 
 import itertools
 import os
@@ -17,7 +14,7 @@ from bgi.monitor import art
 from bgi.monitor.picture import Colours, Shape, fit, inside, largest, surface
 from bgi.monitor.plan import shot
 
-NOTICE_SECONDS = 2.5  # how long the title tells what has just happened
+NOTICE_SECONDS = 2.5  # how long the title says what has just happened
 
 
 class Display:

@@ -1,17 +1,17 @@
-"""Finds out when a program does nothing but ask for a key, so that it need not burn a processor.
+"""Notices when a program does nothing but ask for a key, so that it need not keep a processor busy.
 
 `while not kbhit(): pass` was the way to wait. Such a loop asks very often and leaves the card as it
-is; one that draws or computes between two questions is never held up.
+is; a loop that draws or computes between two questions is never held up.
 """
 
 import time
 
 from bgi.memory.card import Card
 
-REST_SECONDS = 0.010  # a key ends a rest at once
-PATIENCE = 1000  # questions in vain until a look at the card
+REST_SECONDS = 0.010  # of a program that is idle; a key ends a rest at once
+PATIENCE = 1000  # questions answered with no, until the card is looked at
 IMPATIENCE = 50  # the same for a program that was idle a moment ago
-QUICK = 4e-6  # seconds from one question to the next, of a program that does nothing else
+QUICK_SECONDS = 4e-6  # from one question to the next, at most, if nothing is done between them
 
 
 class Idling:
@@ -23,13 +23,13 @@ class Idling:
         self._since = 0.0
         self._seen = 0
 
-    def asked_in_vain(self) -> bool:
-        """Count a question; whether the program may rest now."""
+    def count_no(self) -> bool:
+        """Count a question that is answered with no; return whether the program may rest now."""
         self._left -= 1
         if self._left:
             return False
         now = time.perf_counter()
-        quick = now - self._since < QUICK * self._limit
+        quick = now - self._since < QUICK_SECONDS * self._limit
         seen = self._card.checksum() if quick else self._seen
         idle = quick and seen == self._seen
         self._seen = seen

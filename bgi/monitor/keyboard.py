@@ -16,7 +16,7 @@ from bgi.memory.sdl import pygame
 # The BIOS keeps fifteen keystrokes for a program that is busy; the sixteenth is lost.
 BIOS_BUFFER = 15
 
-# Waits are cut into pieces where Ctrl-C is heard only between two of them.
+# On Windows Ctrl-C cannot interrupt the wait for a lock: there it is cut into short pieces.
 PIECE_SECONDS = 0.1 if sys.platform == "win32" else 3600.0
 
 _PLAIN, _SHIFT, _CTRL, _ALT = range(4)
@@ -37,8 +37,8 @@ def _function_keys(f1: int, f11: int) -> dict[int, bytes]:
     return _extended(_FUNCTION_KEYS, *range(f1, f1 + 10), f11, f11 + 1)
 
 
-# Borland's table of keys; what is not in it (and no text) never arrives. F11 and F12 are those of
-# the enhanced BIOS call. pygame numbers the keys of ASCII characters by those characters.
+# Borland's table of keys. A key that is not in it and makes no text never arrives. F11 and F12 have
+# the codes of the enhanced BIOS call. pygame's number of an ASCII character's key is its code.
 _CODES: dict[int, dict[int, bytes]] = {
     _PLAIN: {
         pygame.K_RETURN: b"\r",
@@ -129,14 +129,14 @@ def encode(key: int, mods: int, unicode: str) -> bytes:
         code = _CODES[_PLAIN].get(key)
     if code is not None:
         return code
-    # Alt and Ctrl make no text, but for the control characters: Ctrl-[ is Esc.
+    # Alt and Ctrl make no text, except the control characters: Ctrl-[ is Esc.
     if modifier == _ALT or (modifier == _CTRL and unicode >= " "):
         return b""
     return _text(unicode)
 
 
 def _modifier(key: int, mods: int, unicode: str) -> int:
-    # AltGr (on Windows it comes as Ctrl and right Alt) writes characters: it is no Alt then.
+    # AltGr (on Windows it comes as Ctrl and right Alt) writes characters: then it is not Alt.
     if mods & pygame.KMOD_RALT and unicode and [*map(ord, unicode.lower())] != [key]:
         return _PLAIN
     # The order in which the BIOS asks.
@@ -181,7 +181,7 @@ _SCAN_CODES = {
         0x10: ("qwertyuiop[]", "QWERTYUIOP{}", "\x11\x17\x05\x12\x14\x19\x15\x09\x0f\x10"),
         0x1E: ("asdfghjkl;'`", 'ASDFGHJKL:"~', "\x01\x13\x04\x06\x07\x08\x0a\x0b\x0c"),
         0x2B: ("\\zxcvbnm,./", "|ZXCVBNM<>?", "\x1c\x1a\x18\x03\x16\x02\x0e\x0d"),
-        # Last, for Esc, Backspace, Tab and Enter are meant oftener than Ctrl-[, H, I, J and M.
+        # These come last and win: Esc, Backspace, Tab and Enter, not Ctrl-[, H, I, J and M.
         0x01: ("\x1b",),
         0x0E: ("\b\t", "\x7f"),
         0x1C: ("\r", "\n"),

@@ -13,18 +13,30 @@ from collections import deque
 from collections.abc import Callable
 from typing import NamedTuple
 
+from bgi.constants import (
+    WM_LBUTTONDBLCLK,
+    WM_LBUTTONDOWN,
+    WM_LBUTTONUP,
+    WM_MBUTTONDBLCLK,
+    WM_MBUTTONDOWN,
+    WM_MBUTTONUP,
+    WM_MOUSEMOVE,
+    WM_RBUTTONDBLCLK,
+    WM_RBUTTONDOWN,
+    WM_RBUTTONUP,
+)
+
 MOVED = 1
 LEFT, RIGHT, MIDDLE = range(3)
 """A button of the mouse."""
 
 DOUBLE_CLICK_SECONDS, DOUBLE_CLICK_PIXELS = 0.5, 4
-WAITING = 1000  # clicks that wait to be asked for; older ones are lost
+MAX_WAITING = 1000  # clicks that wait to be asked for; older ones are lost
 
-# WinBGIm's (that is, Windows') numbers of what can happen to each button.
-WM_MOUSEMOVE = 512
-_WM_DOWN = {LEFT: 513, RIGHT: 516, MIDDLE: 519}
-_WM_UP, _WM_DOUBLE = 1, 2  # added to those
-KINDS = range(WM_MOUSEMOVE, 522)
+_DOWN = {LEFT: WM_LBUTTONDOWN, RIGHT: WM_RBUTTONDOWN, MIDDLE: WM_MBUTTONDOWN}
+_UP = {LEFT: WM_LBUTTONUP, RIGHT: WM_RBUTTONUP, MIDDLE: WM_MBUTTONUP}
+_DOUBLE = {LEFT: WM_LBUTTONDBLCLK, RIGHT: WM_RBUTTONDBLCLK, MIDDLE: WM_MBUTTONDBLCLK}
+KINDS = WM_MOUSEMOVE, *_DOWN.values(), *_UP.values(), *_DOUBLE.values()
 
 
 def pressed(button: int) -> int:
@@ -61,7 +73,7 @@ Handler = Callable[[Event], object]
 class Mouse:
     """Position (in the program's pixels), buttons (bit 0 left, 1 right, 2 middle), and history.
 
-    `tell` sends a message to the monitor.
+    `tell` sends a message to the monitor (`bgi.monitor.protocol`).
     """
 
     def __init__(self, tell: Callable[..., None]) -> None:
@@ -71,7 +83,7 @@ class Mouse:
         """Whom to call for a message of Windows; 0 stands for all of them."""
         self._tell = tell
         self._lock = threading.Lock()
-        self._hidden = 1  # the driver's counter, with its sign turned round
+        self._hidden = 1  # the driver's counter, with the sign changed
         self._limits: tuple[int, int, int, int] | None = None
         self._counts: dict[int, Count] = {}
         self._moved = (0, 0)
@@ -98,19 +110,20 @@ class Mouse:
             self._rolled += clicks
 
     def _message(self, event: int, x: int, y: int) -> int:
+        """What WinBGIm, that is Windows, calls an event."""
         if event == MOVED:
             return WM_MOUSEMOVE
-        button = next(b for b in _WM_DOWN if event in (pressed(b), released(b)))
+        button = next(b for b in _DOWN if event in (pressed(b), released(b)))
         if event == released(button):
-            return _WM_DOWN[button] + _WM_UP
+            return _UP[button]
         last, last_x, last_y, then = self._last_click
         now = time.monotonic()
         near = max(abs(x - last_x), abs(y - last_y)) <= DOUBLE_CLICK_PIXELS
         if last == button and near and now - then < DOUBLE_CLICK_SECONDS:
             self._last_click = (-1, 0, 0, 0.0)  # a third click begins anew
-            return _WM_DOWN[button] + _WM_DOUBLE
+            return _DOUBLE[button]
         self._last_click = button, x, y, now
-        return _WM_DOWN[button]
+        return _DOWN[button]
 
     # The mouse driver
 
@@ -180,7 +193,7 @@ class Mouse:
 
     def keep_all(self, kind: int, status: bool) -> None:
         """Whether all events of a kind wait to be asked for, or only the latest."""
-        self._clicks[kind] = deque(self._clicks[kind], maxlen=WAITING if status else 1)
+        self._clicks[kind] = deque(self._clicks[kind], maxlen=MAX_WAITING if status else 1)
 
     def has(self, kind: int) -> bool:
         """Whether an event of that kind waits."""

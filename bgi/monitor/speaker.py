@@ -1,8 +1,8 @@
 """The PC's speaker: a square wave, on or off, whose pitch changes without a gap.
 
-The timer chip counted 1,193,180 times a second and flipped the speaker's membrane at every whole
-number of counts; so pitches are not quite what was asked for, as they were not then. SDL asks for
-samples when it needs them (`fill`), and the wave goes on where it was.
+The timer chip counted 1,193,180 times a second and moved the speaker's membrane each time a certain
+number of counts had passed: a whole number, so that pitches are not exact, here as then. SDL asks
+for samples when it needs them (`fill`), and the wave goes on where it was.
 """
 
 import numpy as np
@@ -10,11 +10,11 @@ import numpy.typing as npt
 
 from bgi.memory.sdl import pygame, quietly
 
-CLOCK = 1_193_180
+CLOCK_HERTZ = 1_193_180  # of the timer chip
 RATE = 44_100  # samples a second
-CHUNK = 512  # samples that are asked for at a time: the delay of a change is below 12 ms
-LOUDNESS = 4000  # of 32767: a speaker is no orchestra
-MAX_HERTZ = 20_000  # what nobody hears is not played: it would only fold back
+CHUNK = 512  # samples that are asked for at a time: a change is heard within 12 ms
+LOUDNESS = 4000  # of 32767: such a speaker was not loud
+MAX_HERTZ = 20_000  # higher tones nobody hears; as samples they would be heard as lower ones
 
 
 class Speaker:
@@ -28,8 +28,8 @@ class Speaker:
 
     def sound(self, hertz: int) -> None:
         """Play a pitch until told otherwise; 0 is silence."""
-        counts = CLOCK // hertz if hertz > 0 else 0
-        frequency = CLOCK / counts if counts else 0.0
+        counts = CLOCK_HERTZ // hertz if hertz > 0 else 0
+        frequency = CLOCK_HERTZ / counts if counts else 0.0
         self._step = frequency / RATE if frequency <= MAX_HERTZ else 0.0
         if self._step and not self._tried:
             self._tried = True

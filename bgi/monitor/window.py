@@ -99,7 +99,7 @@ class Window:
     def key_waiting(self) -> bool:
         """Whether `read_key` would return at once; rests a moment if nothing else is done."""
         self._check()
-        if not self._keys.waiting() and self._idling.asked_in_vain():
+        if not self._keys.waiting() and self._idling.count_no():
             self._keys.wait(REST_SECONDS)
         return self._keys.waiting()
 

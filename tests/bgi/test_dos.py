@@ -8,7 +8,7 @@ import pytest
 import bgi
 from bgi import conio, current, dos
 from bgi.monitor.headless import Headless
-from bgi.monitor.speaker import CLOCK, LOUDNESS, RATE, Speaker
+from bgi.monitor.speaker import CLOCK_HERTZ, LOUDNESS, RATE, Speaker
 
 
 @pytest.fixture
@@ -177,7 +177,7 @@ def test_the_wave_is_square(speaker: Speaker) -> None:
     second = samples(speaker, RATE)
     assert set(second) == {-LOUDNESS, LOUDNESS}
     flips = sum(a != b for a, b in itertools.pairwise(second))
-    assert flips == pytest.approx(2 * CLOCK / (CLOCK // 440), abs=1)
+    assert flips == pytest.approx(2 * CLOCK_HERTZ / (CLOCK_HERTZ // 440), abs=1)
     speaker.sound(0)
     assert samples(speaker, 5) == [0] * 5
 

@@ -241,7 +241,7 @@ def test_what_the_monitor_is_told() -> None:
 
 def test_waiting_clicks_are_bounded() -> None:
     clicks.setmousequeuestatus(WM_RBUTTONUP)
-    for x in range(state.WAITING + 10):
+    for x in range(state.MAX_WAITING + 10):
         hear(RIGHT_UP, x, 0)
     assert clicks.getmouseclick(WM_RBUTTONUP) == (10, 0)
 

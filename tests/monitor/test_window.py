@@ -328,7 +328,7 @@ class Loop:
         for number in range(questions):
             work(number)
             self.now += seconds
-            rest = self._idling.asked_in_vain()
+            rest = self._idling.count_no()
             rests += rest
             self.now += REST_SECONDS * rest
         return rests
