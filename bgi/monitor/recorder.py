@@ -61,7 +61,7 @@ class Recorder:
             append_images=images,
             duration=[round(1000 * TICK * part) for _, part in shown],
             loop=0,
-            optimize=False,
+            optimize=True,  # pixels that stay as they were are left out: a third less
         )
 
     def _images(self, numbers: list[int]) -> Iterator[Any]:
