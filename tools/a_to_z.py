@@ -1,10 +1,11 @@
-"""Write the A-Z page of the documentation, and the last line of every page, which leads to it.
+"""Write the A-Z page of the documentation, and what on the other pages follows from elsewhere.
 
     python -m tools.a_to_z
 
-What a name is, its docstring says; the page that shows it has a row for it in a table. Constants
-come in groups: what they are stands in the source, below each or above the group, and GROUPS says
-which page shows them. tests/test_docs.py holds the pages to it.
+What a name is, its docstring says. Functions, structures and the options of `surface` each have a
+row in a table of one page; write `| `circle` |` there, and this fills it in. Constants come in
+groups: what they are stands in the source, and GROUPS says which page shows them. The last line of
+each page leads to the next one and back. tests/test_docs.py holds the pages to all this.
 """
 
 import ast
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import bgi
+import surfaces
 from bgi import conio, dos, mouse
 
 ROOT = Path(__file__).parents[1]
@@ -26,7 +28,7 @@ FILE = DOCS / "a-z.md"
 BACK = f"[All pages](README.md) · [A–Z]({FILE.name})"
 """What every page ends with."""
 
-MODULES = {"": bgi, "conio.": conio, "dos.": dos, "mouse.": mouse}
+MODULES = {"": bgi, "conio.": conio, "dos.": dos, "mouse.": mouse, "surfaces.": surfaces}
 """The modules whose names are listed, by what a program writes before a name."""
 
 GROUPS = {
@@ -56,82 +58,56 @@ SOURCES = {
     "conio.": ["bgi/conio.py"],
     "dos.": ["bgi/dos.py"],
     "mouse.": ["bgi/monitor/pointer.py"],
+    "surfaces.": [
+        "surfaces/modes.py",
+        "surfaces/shape/fields.py",
+        "surfaces/shape/functions.py",
+        "surfaces/space/projections.py",
+        "surfaces/systems/colors.py",
+    ],
 }
 """The files that define the constants of each module."""
 
-STARRED = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+STARS = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
 
 HEAD = """# A–Z
 
-Every public name: functions, structures and constants, with the page that shows it.
-Names without a dot come with `from bgi import *`; `conio`, `dos` and `mouse` are modules of it:
-`from bgi import dos`. `help(circle)` says more.
+Every public name: functions, structures, constants, and the options of `surface()`; with the page
+that shows it. Names without a dot come with `from bgi import *`; `conio`, `dos` and `mouse` are
+modules of it: `from bgi import dos`. `surfaces` is a package of its own. `help(circle)` says more.
 """
 
 
-class Entry(NamedTuple):
-    """A line of the page."""
+ROW = re.compile(r"^\| `(?P<name>[\w.]+(?:=|(?=[(`])))[^`]*` \|[^|\n]*\|$", re.MULTILINE)
+"""A line of a table of two columns: a name, or that of an option with its =, and what it is."""
 
-    name: str
+
+class Described(NamedTuple):
+    """What a docstring says of a name."""
+
     written: str
-    """How a program writes it: `circle(x, y, radius, color=None)`, `RED = 4`."""
+    """How a program writes it: `circle(x, y, radius, color=None)`."""
     what: str
     """What it is or does, in one sentence."""
-    page: str
-    """The page that shows it, without its ending."""
-
-    @property
-    def key(self) -> str:
-        """What the line is sorted by: the name without its module."""
-        return self.name.rpartition(".")[2].lstrip("_").lower()
 
     def __str__(self) -> str:
-        return f"| `{self.written}` | {self.what} | [{self.page}]({self.page}.md) |"
+        return f"| `{self.written}` | {self.what} |"
 
 
-# The pages
+# What is said of the names
 
 
-def index() -> list[Path]:
-    """The pages in the order in which to read them: that of docs/README.md."""
-    names = re.findall(r"\]\(([\w-]+\.md)\)", (DOCS / "README.md").read_text("utf-8"))
-    return [DOCS / name for name in names if name != FILE.name]
-
-
-def title(page: Path) -> str:
-    """The heading of a page."""
-    return page.read_text("utf-8").partition("\n")[0].removeprefix("# ")
-
-
-def last_lines() -> dict[Path, str]:
-    """The last line of every page: on to the next one, and back."""
-    pages = index()
-    onward = {page: f"Next: [{title(after)}]({after.name}) · " for page, after in pairwise(pages)}
-    return {page: f"{onward.get(page, '')}{BACK}" for page in pages}
-
-
-def shown() -> dict[str, str]:
-    """The page that shows a function or an option, by how its row in a table there begins."""
-    return {
-        row.partition("` |")[0].removeprefix("| `"): page.stem
-        for page in index()
-        for row in page.read_text("utf-8").splitlines()
-        if row.startswith("| `")
-    }
-
-
-# The names
-
-
-def documented() -> dict[str, Any]:
-    """What is described by a docstring: functions, structures, exceptions; by how it is written."""
-    found: dict[str, Any] = {}
+def described() -> dict[str, Described]:
+    """What docstrings say: of functions, structures, exceptions, and the options of surface()."""
+    found: dict[str, Described] = {}
+    known: list[Any] = []
     for prefix, module in MODULES.items():
         for name in module.__all__:
             value = getattr(module, name)
-            if callable(value) and value not in found.values():
-                found[written(prefix + name, value)] = value
-    return found
+            if callable(value) and value not in known:  # getch is in bgi and in bgi.conio
+                known.append(value)
+                found[prefix + name] = Described(written(prefix + name, value), sentence(value))
+    return found | options(surfaces.surface)
 
 
 def written(name: str, value: Any) -> str:
@@ -139,17 +115,17 @@ def written(name: str, value: Any) -> str:
     if isinstance(value, type) and issubclass(value, Exception):
         return name
     parameters = list(inspect.signature(value).parameters.values())
-    if isinstance(value, type) and all(p.kind in STARRED for p in parameters):
+    if isinstance(value, type) and all(p.kind in STARS for p in parameters):
         return name  # not to be called, only to be derived from
-    options = [p for p in parameters if p.kind == p.KEYWORD_ONLY]
-    inside = [with_default(p) for p in parameters if len(options) <= 4 or p not in options]
-    return f"{name}({', '.join(inside)}{', ...' if len(options) > 4 else ''})"
+    keywords = [p for p in parameters if p.kind == p.KEYWORD_ONLY]
+    inside = [with_default(p) for p in parameters if len(keywords) <= 4 or p not in keywords]
+    return f"{name}({', '.join(inside)}{', ...' if len(keywords) > 4 else ''})"
 
 
 def with_default(parameter: inspect.Parameter) -> str:
     """A parameter as it is written: `fill=None`."""
-    if parameter.kind in STARRED:
-        return f"*{parameter.name}"
+    if parameter.kind in STARS:
+        return STARS[parameter.kind] + parameter.name
     if parameter.default is parameter.empty:
         return parameter.name
     default = "pi / 4" if parameter.default == math.pi / 4 else repr(parameter.default)
@@ -162,9 +138,15 @@ def sentence(value: Any) -> str:
     return first.partition(" Source: ")[0]
 
 
-def row(name: str, value: Any) -> str:
-    """The line of a function or a structure in the table of its page."""
-    return f"| `{name}` | {sentence(value)} |"
+def options(function: Any) -> dict[str, Described]:
+    """The parameters of a function as `n=`, and what its docstring says of each."""
+    arguments = (inspect.getdoc(function) or "").partition("Args:\n")[2].partition("\n\n")[0]
+    said = dict(re.findall(r"^    (\w+): (.*(?:\n {8}.*)*)", arguments, re.MULTILINE))
+    found = {}
+    for name, parameter in inspect.signature(function).parameters.items():
+        option = name if parameter.default is parameter.empty else f"{name}="
+        found[option] = Described(with_default(parameter), " ".join(said[name].split()))
+    return found
 
 
 def said_of_constants(source: Path) -> dict[str, str]:
@@ -187,39 +169,86 @@ def said_of_constants(source: Path) -> dict[str, str]:
     return said
 
 
-def entries() -> Iterator[Entry]:
-    """A line for every name."""
+# The pages
+
+
+def index() -> list[Path]:
+    """The pages in the order in which to read them: that of docs/README.md."""
+    names = re.findall(r"\]\(([\w-]+\.md)\)", (DOCS / "README.md").read_text("utf-8"))
+    return [DOCS / name for name in names if name != FILE.name]
+
+
+def title(page: Path) -> str:
+    """The heading of a page."""
+    return page.read_text("utf-8").partition("\n")[0].removeprefix("# ")
+
+
+def renewed(page: Path) -> str:
+    """The text of a page with its rows as the docstrings have them, and its last line."""
+    said = described()
+    pages = index()
+    after = dict(pairwise(pages)).get(page)
+    onward = f"Next: [{title(after)}]({after.name}) · " if after else ""
+
+    def row(found: re.Match[str]) -> str:
+        return str(said.get(found["name"], found[0]))
+
+    text = page.read_text("utf-8").rstrip("\n")
+    above, _, last = text.rpartition("\n\n")
+    return f"{ROW.sub(row, above if BACK in last else text)}\n\n{onward}{BACK}\n"
+
+
+def shown() -> dict[str, str]:
+    """The page whose table has a name."""
+    return {
+        found["name"]: page.stem
+        for page in index()
+        for found in ROW.finditer(page.read_text("utf-8"))
+    }
+
+
+def lines() -> Iterator[tuple[str, str]]:
+    """Every name and its line on the A-Z page."""
     pages = shown()
-    for name, value in documented().items():
-        yield Entry(name, name, sentence(value), pages[name])
+    for name, (written, what) in described().items():
+        if "." not in name and not hasattr(bgi, name):
+            what = f"Option of `surface()`: {what}"
+        yield name, line(written, what, pages[name])
     for prefix, module in MODULES.items():
         said = {k: v for file in SOURCES[prefix] for k, v in said_of_constants(ROOT / file).items()}
         for name in module.__all__:
             value = getattr(module, name)
             if isinstance(value, (int, float, str)):
-                yield Entry(name, f"{prefix}{name} = {value!r}", said[name], GROUPS[said[name]])
+                yield name, line(f"{prefix}{name} = {value!r}", said[name], GROUPS[said[name]])
             elif not callable(value):
-                yield Entry(name, prefix + name, said[name], pages[prefix + name])
+                yield name, line(prefix + name, said[name], pages[prefix + name])
+
+
+def line(written: str, what: str, page: str) -> str:
+    """A line of the A-Z page."""
+    return f"| `{written}` | {what} | [{page}]({page}.md) |"
+
+
+def key(name: str) -> str:
+    """What a name is sorted by: itself without its module."""
+    return name.rpartition(".")[2].lstrip("_").lower()
 
 
 def text() -> str:
     """The A-Z page."""
-    lines = [HEAD]
-    found = sorted(entries(), key=lambda entry: (entry.key, entry.written))
-    for letter, group in groupby(found, key=lambda entry: entry.key[0].upper()):
-        lines += [f"## {letter}\n", "| name | what it is | page |", "|---|---|---|"]
-        lines += [*map(str, group), ""]
-    return "\n".join(lines)
+    page = [HEAD]
+    found = sorted(lines(), key=lambda pair: (key(pair[0]), pair[1]))
+    for letter, group in groupby(found, key=lambda pair: key(pair[0])[0].upper()):
+        page += [f"## {letter}\n", "| name | what it is | page |", "|---|---|---|"]
+        page += [*(line for _, line in group), ""]
+    return "\n".join(page)
 
 
 def main() -> None:
-    """Write the page, and the last lines of the others."""
+    """Renew the pages, and write the A-Z page."""
+    for page in index():
+        page.write_text(renewed(page), "utf-8")
     FILE.write_text(text(), "utf-8")
-    for page, line in last_lines().items():
-        above = page.read_text("utf-8").rstrip().split("\n")
-        if BACK in above[-1]:
-            del above[-2:]
-        page.write_text("\n".join([*above, "", line, ""]), "utf-8")
 
 
 if __name__ == "__main__":
