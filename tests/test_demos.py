@@ -339,27 +339,6 @@ class TestCommand:
         assert "python -m demos --save DIR" in ran.stderr
 
 
-class TestReadme:
-    TEXT = (ROOT / "README.md").read_text("utf-8")
-
-    def programs(self):
-        return re.findall(r"```python\n(.*?)```", self.TEXT, re.DOTALL)
-
-    def test_its_programs_run(self, monkeypatch):
-        monkeypatch.setenv("BGI_KEYS", "Space " * 9)
-        assert self.programs()
-        for program in self.programs():
-            exec(program, {})
-            bgi.closegraph()
-
-    def test_ci_types_what_it_tells_a_newcomer_to_type(self):
-        command = 'pip install -e ".[test]" && python -m pytest'
-        assert command in self.TEXT
-        script = (ROOT / ".ci" / "run").read_text("utf-8").splitlines()
-        for part in command.split(" && "):
-            assert part in script
-
-
 class TestPages:
     """Demos of several pages: fonts, fills, palette, sprites and bgidemo."""
 

@@ -1,6 +1,7 @@
 """The pages of docs/: their code runs, their pictures are what it draws, their tables are true."""
 
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ PAGES = pictures.pages()
 TEXTS = [page.read_text("utf-8") for page in sorted(DOCS.glob("*.md")) if page != a_to_z.FILE]
 BLOCKS = [block for page in PAGES for block in pictures.blocks(page)]
 
-DOCUMENTED = a_to_z.documented()
+DESCRIBED = a_to_z.described()
 # The calls whose effect can be seen.
 SHOWN = """
     putpixel getpixel line lineto linerel rectangle drawpoly setlinestyle setwritemode
@@ -50,8 +51,22 @@ def test_the_picture_of_a_demo_is_what_it_draws(tmp_path, name):
     assert_drawn(pictures.draw_demo(name, tmp_path), tmp_path)
 
 
+def test_the_moving_picture_is_what_is_recorded(tmp_path):
+    image = pytest.importorskip("PIL.Image", reason="needs Pillow")
+    (name,) = pictures.record_demo(tmp_path)
+    with image.open(tmp_path / name) as got, image.open(pictures.PICTURES / name) as expected:
+        assert got.n_frames == expected.n_frames
+        for number in range(got.n_frames):
+            got.seek(number)
+            expected.seek(number)
+            assert got.info["duration"] == expected.info["duration"], number
+            assert got.convert("RGB").tobytes() == expected.convert("RGB").tobytes(), number
+    assert (pictures.PICTURES / name).stat().st_size < 500_000
+
+
 def test_every_picture_has_its_code():
     drawn = [picture for _, picture in BLOCKS if picture] + [f"{name}.png" for name in NAMES]
+    drawn.append(f"{pictures.MOVING}.gif")
     assert sorted(drawn) == sorted(file.name for file in pictures.PICTURES.iterdir())
 
 
@@ -61,10 +76,10 @@ def test_every_picture_of_a_page_belongs_to_code():
         assert shown == [picture for _, picture in pictures.blocks(page) if picture], page.name
 
 
-@pytest.mark.parametrize("name", DOCUMENTED)
+@pytest.mark.parametrize("name", DESCRIBED)
 def test_every_call_stands_in_the_table_of_one_page(name):
-    rows = [line for text in TEXTS for line in text.splitlines() if line.startswith(f"| `{name}`")]
-    assert rows == [a_to_z.row(name, DOCUMENTED[name])]
+    rows = [row[0] for text in TEXTS for row in a_to_z.ROW.finditer(text) if row["name"] == name]
+    assert rows == [str(DESCRIBED[name])], "run: python -m tools.a_to_z"
 
 
 @pytest.mark.parametrize("name", SHOWN.split())
@@ -92,8 +107,9 @@ class TestIndex:
             assert f"[{a_to_z.title(page)}]({page.name})" in index
 
     def test_every_page_leads_on_and_back(self):
-        for page, line in a_to_z.last_lines().items():
-            assert page.read_text("utf-8").endswith(f"\n\n{line}\n"), "run: python -m tools.a_to_z"
+        for page in a_to_z.index():
+            assert page.read_text("utf-8") == a_to_z.renewed(page), "run: python -m tools.a_to_z"
+        assert page.read_text("utf-8").endswith(f"\n\n{a_to_z.BACK}\n")
 
 
 class TestAToZ:
@@ -111,3 +127,49 @@ class TestAToZ:
         listed = {re.split(r"[ (`]", line[3:])[0] for line in self.TEXT.splitlines()}
         for name in a_to_z.MODULES[prefix].__all__:
             assert {prefix + name, name} & listed, name
+
+
+class TestFrontDoor:
+    README = (ROOT / "README.md").read_text("utf-8")
+
+    @pytest.mark.parametrize("file", ["README.md", "ABOUT.md"])
+    def test_its_programs_run(self, tmp_path, monkeypatch, file):
+        monkeypatch.setenv("BGI_KEYS", pictures.KEYS)
+        assert [*pictures.blocks(ROOT / file)]
+        pictures.draw_page(ROOT / file, tmp_path)
+
+    def test_ci_types_what_it_tells_a_newcomer_to_type(self):
+        command = 'pip install -e ".[test]" && python -m pytest'
+        assert command in self.README
+        script = (ROOT / ".ci" / "run").read_text("utf-8").splitlines()
+        for part in command.split(" && "):
+            assert part in script
+
+    def test_a_package_index_shows_nothing_that_lies_in_the_repository(self):
+        """Its page has no folder to find pictures and other pages in."""
+        project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+        shown = (ROOT / project["readme"]).read_text("utf-8")
+        links = re.findall(r"\]\(([^)]+)|(?:src|href)=\"([^\"]+)", shown)
+        assert all("://" in "".join(link) for link in links)
+
+
+class TestContributing:
+    TEXT = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    ANSWERS = re.findall(r"^\| .*\? \| (.*) \| `(.*)` \|$", TEXT, re.MULTILINE)
+
+    def test_every_file_that_it_names_exists(self):
+        named = re.findall(r"`([\w.-]+(?:/[\w.-]*)+)`", self.TEXT)
+        assert len(named) > 40
+        assert [name for name in named if not (ROOT / name).exists()] == []
+
+    def test_its_picture_shows_every_folder(self):
+        picture = self.TEXT.split("```")[1]
+        for package in ("bgi", "surfaces"):
+            inside = {file.parent.relative_to(ROOT) for file in (ROOT / package).glob("*/*.py")}
+            shown = {Path(path) for path in re.findall(rf"{package}/[\w/]+(?=/[\s,])", picture)}
+            assert shown == inside
+
+    @pytest.mark.parametrize(("files", "name"), ANSWERS, ids=[name for _, name in ANSWERS])
+    def test_the_files_that_answer_a_question_do(self, files, name):
+        texts = [(ROOT / file).read_text("utf-8") for file in re.findall("`(.*?)`", files)]
+        assert any(name in text for text in texts)

@@ -140,6 +140,13 @@ def test_imports_point_up(name, path):
         assert floor(imported) <= floor(name), f"{name} may not import {imported}"
 
 
+def test_every_layer_exists():
+    names = [f"{name}." for name, _ in MODULES]
+    for layer in LAYERS:
+        prefix = layer if layer.endswith(".") else f"{layer}."
+        assert any(name.startswith(prefix) for name in names), layer
+
+
 PROGRAMS = ("surfaces.explorer.", "surfaces.command.", "surfaces.__main__")
 """What opens screens, asks for keys and looks at the mouse, and draws by `surface()`."""
 

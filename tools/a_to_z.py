@@ -58,13 +58,7 @@ SOURCES = {
     "conio.": ["bgi/conio.py"],
     "dos.": ["bgi/dos.py"],
     "mouse.": ["bgi/monitor/pointer.py"],
-    "surfaces.": [
-        "surfaces/modes.py",
-        "surfaces/shape/fields.py",
-        "surfaces/shape/functions.py",
-        "surfaces/space/projections.py",
-        "surfaces/systems/colors.py",
-    ],
+    "surfaces.": [],
 }
 """The files that define the constants of each module."""
 
@@ -78,7 +72,7 @@ modules of it: `from bgi import dos`. `surfaces` is a package of its own. `help(
 """
 
 
-ROW = re.compile(r"^\| `(?P<name>[\w.]+(?:=|(?=[(`])))[^`]*` \|[^|\n]*\|$", re.MULTILINE)
+ROW = re.compile(r"^\| `(?P<name>[\w.]+(?:=|(?=[(`])))[^`]*` \|(?P<what>[^|\n]*)\|$", re.MULTILINE)
 """A line of a table of two columns: a name, or that of an option with its =, and what it is."""
 
 
@@ -198,10 +192,10 @@ def renewed(page: Path) -> str:
     return f"{ROW.sub(row, above if BACK in last else text)}\n\n{onward}{BACK}\n"
 
 
-def shown() -> dict[str, str]:
-    """The page whose table has a name."""
+def shown() -> dict[str, tuple[str, str]]:
+    """The page whose table has a name, and what stands there."""
     return {
-        found["name"]: page.stem
+        found["name"]: (page.stem, found["what"].strip())
         for page in index()
         for found in ROW.finditer(page.read_text("utf-8"))
     }
@@ -213,7 +207,7 @@ def lines() -> Iterator[tuple[str, str]]:
     for name, (written, what) in described().items():
         if "." not in name and not hasattr(bgi, name):
             what = f"Option of `surface()`: {what}"
-        yield name, line(written, what, pages[name])
+        yield name, line(written, what, pages[name][0])
     for prefix, module in MODULES.items():
         said = {k: v for file in SOURCES[prefix] for k, v in said_of_constants(ROOT / file).items()}
         for name in module.__all__:
@@ -221,7 +215,8 @@ def lines() -> Iterator[tuple[str, str]]:
             if isinstance(value, (int, float, str)):
                 yield name, line(f"{prefix}{name} = {value!r}", said[name], GROUPS[said[name]])
             elif not callable(value):
-                yield name, line(prefix + name, said[name], pages[prefix + name])
+                page, what = pages[prefix + name]  # a table: no docstring describes it
+                yield name, line(prefix + name, what, page)
 
 
 def line(written: str, what: str, page: str) -> str:

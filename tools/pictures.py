@@ -4,11 +4,12 @@
 
 A picture on a page belongs to the block of code just before it, and is what that block leaves on
 the screen: so a page cannot show what its code does not draw. A demo's picture is the one in the
-gallery. tests/test_docs.py draws them all again and compares.
+gallery; one is recorded while it moves. tests/test_docs.py draws them all again and compares.
 """
 
 import os
 import re
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -26,6 +27,8 @@ DOCS = ROOT / "docs"
 PICTURES = DOCS / "pictures"
 KEYS = "a Left Up Space"  # what is pressed for each block that asks for keys
 LEAST_WIDTH, MARGIN = 400, 12
+MOVING = "bounce"
+SECONDS = "2.4s"  # as much as fits into half a megabyte
 
 # What a page says of its code, and so how its blocks are run.
 ON_A_SCREEN = "follows `from bgi import *` and `initgraph(VGA, VGAHI)`"
@@ -87,6 +90,16 @@ def draw_demo(name: str, folder: Path) -> list[str]:
     return [f"{name}.png"]
 
 
+def record_demo(folder: Path) -> list[str]:
+    """Record the demo that the README shows moving; needs Pillow. Returns the recording's name."""
+    name = f"{MOVING}.gif"
+    options = ["--monitor", "none", "--keys", "", "--after", SECONDS]
+    program = str(load(MOVING).file)
+    command = [sys.executable, "-m", "bgi", *options, "--record", str(folder / name), program]
+    subprocess.run(command, cwd=ROOT, check=True)
+    return [name]
+
+
 def _save(file: Path, whole: bool) -> None:
     """Save the page that is shown: the whole of it, or as far as something is drawn."""
     bgi.setactivepage(bgi.getvisualpage())
@@ -103,6 +116,7 @@ def main(folder: Path = PICTURES) -> None:
     os.environ.update(BGI_MONITOR="none", BGI_KEYS=KEYS)
     drawn = [name for page in pages() for name in draw_page(page, folder)]
     drawn += [name for demo in NAMES for name in draw_demo(demo, folder)]
+    drawn += record_demo(folder)
     print(f"{len(drawn)} pictures")
 
 
