@@ -13,7 +13,7 @@ Layout, little-endian, for whoever wants to write another monitor:
     ======  ====  ======================================================================
     offset  size  field
     ======  ====  ======================================================================
-         0     8  magic, the bytes ``BGICARD`` and a zero
+         0     8  magic, the bytes `BGICARD` and a zero
          8     4  version of this layout: 1
         12     4  width in pixels; 0 = no mode is set, show nothing
         16     4  height in pixels
