@@ -4,6 +4,8 @@ Pillow writes it; it comes with `pip install ".[record]"`. A bar on the terminal
 drawing has come.
 """
 
+from __future__ import annotations
+
 import importlib.util
 import sys
 from collections.abc import Iterable, Iterator, Sequence

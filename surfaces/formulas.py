@@ -11,6 +11,8 @@ a formula can only calculate. Numbers are floats, so no power grows beyond all b
 plane.
 """
 
+from __future__ import annotations
+
 import ast
 import operator
 import re

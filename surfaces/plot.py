@@ -5,6 +5,8 @@
 All that happens to a point between f and the pixel is one product with one 4x4 matrix.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from math import pi

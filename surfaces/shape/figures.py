@@ -1,5 +1,7 @@
 """The four functions of the paper's figures, each with a domain and a shape that show it well."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from math import pi
 from typing import Any

@@ -8,6 +8,8 @@ With a range of heights stated, what exceeds it is cut off at its ends, infiniti
 leads from one end straight to the other is a pole, not a wall: it becomes a hole.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -60,7 +62,7 @@ class Grid:
         y: Axis | None,
         n: int | tuple[int, int] = 50,
         z: Interval | None = None,
-    ) -> "Grid":
+    ) -> Grid:
         """Evaluate f(x, y) on a grid of n by n cells, or nx by ny for n = (nx, ny).
 
         Points without a value become NaN.
@@ -94,7 +96,7 @@ class Grid:
     @classmethod
     def of(
         cls, values: Any, x: Axis | None = None, y: Axis | None = None, z: Interval | None = None
-    ) -> "Grid":
+    ) -> Grid:
         """A grid from heights that are known: values[i, j] at x[i], y[j].
 
         Args:
@@ -178,7 +180,7 @@ class Grid:
         """The nodes of x and of y where a mesh has its lines: every n-th one, and the last."""
         return every_nth(len(self.x), every), every_nth(len(self.y), every)
 
-    def thinned(self, every: int) -> "Grid":
+    def thinned(self, every: int) -> Grid:
         """The same surface with every n-th node of each axis, and always the last."""
         if every == 1:
             return self

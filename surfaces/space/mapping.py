@@ -17,6 +17,8 @@ says that any three arrows will do, as long as they are not all on one line; so 
 matrices give every parallel projection there is: `surfaces.space.projections` has the usual ones.
 """
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from math import atan2, cos, hypot, inf, pi, sin, tan
@@ -44,7 +46,7 @@ class Projection(ABC):
         """Where a unit of x, y and z leads on the screen: (right, down), before scaling."""
 
     @abstractmethod
-    def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> "Projection":
+    def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> Projection:
         """The same view, in another size at another place.
 
         Args:
@@ -173,7 +175,7 @@ class Mapping(Projection):
             )
         )
 
-    def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> "Mapping":
+    def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> Mapping:
         """The same view elsewhere: where pixels are high, fewer go into a height, and x leans."""
         s, c = sin(self.theta), cos(self.theta)
         ax, ay, az = (unit * v for v in self.scale)
@@ -223,7 +225,7 @@ class Axonometry(Projection):
         """The three arrows as given."""
         return self.x, self.y, self.z
 
-    def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> "Axonometry":
+    def placed(self, origin: Arrow, unit: float, aspect: float = 1.0) -> Axonometry:
         """The same view elsewhere: where pixels are high, fewer go down."""
         x, y, z = ((right, down * aspect) for right, down in self.arrows)
         return Axonometry(x, y, z, origin, tuple(unit * v for v in self.scale))  # type: ignore[arg-type]

@@ -15,6 +15,8 @@ its shape, and a turning body seems to breathe. The others are orthographic, as 
 sees it; `orthographic` gives all of these.
 """
 
+from __future__ import annotations
+
 from math import asin, atan, cos, pi, sin, sqrt
 
 from surfaces.space.mapping import Axonometry, Mapping, Projection

@@ -6,6 +6,8 @@ cannot hold a translation; with a fourth coordinate that is always 1, it can (su
 called homogeneous).
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from math import cos, hypot, sin
 

@@ -7,6 +7,8 @@
 It has nothing but putpixel and outtextxy: lines and polygons come out of pixels, as on any system.
 """
 
+from __future__ import annotations
+
 # Characters for colours: 16 to 175 are the upper side's ramp, 176 to 255 the under side's.
 UPPER = ".:-=+*o#%@"
 UNDER = "'`,;"

@@ -10,6 +10,8 @@ gives three bands. With 2 colours bands alternate between light and dark, as on 
 they make greys.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -11,6 +11,8 @@ What draws knows `bgi` through this file only: its functions, as a system, and i
 command and the explorer open the screen with it.)
 """
 
+from __future__ import annotations
+
 from typing import Any, Protocol, cast
 
 import numpy as np

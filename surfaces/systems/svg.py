@@ -7,6 +7,8 @@
 Its functions are graphics.h's, one shape each. That is all a graphics system needs.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
