@@ -16,11 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from surfaces.arrays import Box, Doubles
+from surfaces.formulas import formula
 from surfaces.look import Look, Stage
 from surfaces.modes import MODES, draw, draw_contours, draw_floor
-from surfaces.shape.fields import fields
+from surfaces.shape.fields import Color, fields
 from surfaces.shape.grid import Grid
-from surfaces.shape.sampling import Axis, Function, Interval
+from surfaces.shape.sampling import Axis, Function, Interval, Table
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
 from surfaces.space.transforms import Point, apply
@@ -32,6 +33,9 @@ from surfaces.visible.painter import Picture
 from surfaces.visible.pictures import HeightPicture, SheetPicture
 
 Levels = int | Sequence[float]
+"""Contour lines: how many, or at which z."""
+DOMAIN = (-3.0, 3.0)
+"""Where a formula is drawn, unless told otherwise."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +79,7 @@ class Plot:
 
 
 def surface(
-    f: Function | Grid | Sequence[Any] | Doubles,
+    f: Function | str | Grid | Table,
     x: Axis | None = None,
     y: Axis | None = None,
     n: int | tuple[int, int] = 200,
@@ -88,7 +92,7 @@ def surface(
     rho_z: float = 1.0,
     zfrac: float | None = 0.3,
     z: Interval | None = None,
-    color: Any = "z",
+    color: Color = "z",
     ramp: str | Ramp = "rainbow",
     under: str | Ramp = "dusk",
     dither: bool = False,
@@ -109,10 +113,11 @@ def surface(
     ramps. Several surfaces are drawn right as long as they do not cross inside a cell.
 
     Args:
-        f: A function of two numbers or, faster, of two numpy arrays. Or heights, a 2-D array of
-            f[i, j] at x[i], y[j]. Or a list of functions over one domain.
-        x: The domain, (a, b) with a < b. For heights also as many numbers, even or uneven, or None
-            to count from 0.
+        f: A function of two numbers or, faster, of two numpy arrays. Or its formula, such as
+            "sin(x*y)/2". Or heights, a 2-D array of f[i, j] at x[i], y[j]. Or a list of functions
+            or formulas over one domain.
+        x: The domain, (a, b) with a < b; for a formula -3 to 3, if None. For heights also as many
+            numbers, even or uneven, or None to count from 0.
         y: The same for y.
         n: Cells in each direction, or (nx, ny).
         mode: "fill": coloured by height. "mesh": lines of the grid. "fill+mesh": both.
@@ -278,7 +283,7 @@ def _grids(
     f: Any, x: Axis | None, y: Axis | None, n: int | tuple[int, int], z: Interval | None
 ) -> tuple[Grid, ...]:
     """The surfaces to draw, over one domain."""
-    if isinstance(f, (list, tuple)) and f and all(callable(g) or isinstance(g, Grid) for g in f):
+    if isinstance(f, (list, tuple)) and f and all(map(_is_surface, f)):
         grids = tuple(grid for one in f for grid in _grids(one, x, y, n, z))
         same = all(
             np.array_equal(grid.x, grids[0].x) and np.array_equal(grid.y, grids[0].y)
@@ -289,7 +294,14 @@ def _grids(
         return grids
     if isinstance(f, Grid):
         return (f,)
+    if isinstance(f, str):
+        x, y = (DOMAIN if axis is None else axis for axis in (x, y))
+        f = formula(f)
     return (Grid.sample(f, x, y, n, z) if callable(f) else Grid.of(f, x, y, z),)
+
+
+def _is_surface(f: Any) -> bool:
+    return callable(f) or isinstance(f, (str, Grid))
 
 
 def _around(grids: Sequence[Grid]) -> Box:

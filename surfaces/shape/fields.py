@@ -5,13 +5,15 @@ A field is one number for every node of the grid, brought to the range from 0 to
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from surfaces.arrays import Doubles
 from surfaces.shape.grid import Grid
-from surfaces.shape.sampling import Interval, evaluate
+from surfaces.shape.sampling import Function, Interval, Table, evaluate
+
+Color = str | Function | Table
+"""What colours can show: a name of `FIELDS`, a function of x and y, a number for every node."""
 
 # Where the light comes from, in the viewed space: over the viewer's left shoulder.
 LIGHT = np.array((0.55, -0.35, 0.76))
@@ -47,14 +49,14 @@ class Field:
         return np.where(np.isfinite(value), np.clip(value, 0, 1), beside)
 
 
-def fields(color: Any, grids: Sequence[Grid], T: Doubles) -> tuple[Field, ...]:
+def fields(color: Color, grids: Sequence[Grid], T: Doubles) -> tuple[Field, ...]:
     """The fields of several surfaces, all with the same limits; ValueError as for `field`."""
     found = [field(color, grid, T) for grid in grids]
     limits = min(one.limits[0] for one in found), max(one.limits[1] for one in found)
     return tuple(one.scaled(limits) for one in found)
 
 
-def field(color: Any, grid: Grid, T: Doubles) -> Field:
+def field(color: Color, grid: Grid, T: Doubles) -> Field:
     """The field that `color` asks for.
 
     Args:

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -26,6 +25,7 @@ from surfaces.shape.sampling import (
     Axis,
     Function,
     Interval,
+    Table,
     evaluate,
     interval,
     nodes,
@@ -95,7 +95,11 @@ class Grid:
 
     @classmethod
     def of(
-        cls, values: Any, x: Axis | None = None, y: Axis | None = None, z: Interval | None = None
+        cls,
+        values: Table,
+        x: Axis | None = None,
+        y: Axis | None = None,
+        z: Interval | None = None,
     ) -> Grid:
         """A grid from heights that are known: values[i, j] at x[i], y[j].
 

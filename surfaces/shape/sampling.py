@@ -4,14 +4,17 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from surfaces.arrays import Doubles
 
 Function = Callable[[Any, Any], Any]
 """A function of two numbers or, faster, of two arrays."""
 Interval = tuple[float, float]
-Axis = Interval | Sequence[float] | Doubles
+Axis = Interval | Sequence[float] | NDArray[Any]
 """Where the nodes are: from a to b in even steps, or at each of these numbers."""
+Table = Sequence[Any] | NDArray[Any]
+"""Numbers in rows of one length: an array, or lists in a list."""
 
 HUGE = 1e30
 """What is larger counts as infinite..."""

@@ -257,3 +257,24 @@ def test_without_a_screen() -> None:
     bgi.closegraph()
     with pytest.raises(bgi.BGIError, match="initgraph"):
         surfaces.surface(hill, **SMALL)
+
+
+# Formulas --------------------------------------------------------------------------------------
+
+
+def test_a_formula_is_drawn_as_its_function() -> None:
+    wanted = drawn(lambda x, y: np.sin(x * y) / 2, (-3, 3), (-3, 3), 50)
+    assert (drawn("sin(x*y)/2", n=50) == wanted).all()
+    assert (drawn("sin(x*y)/2", x=(0, 1), n=50) != wanted).any()
+
+
+def test_several_formulas() -> None:
+    both = [lambda x, y: x * y, lambda x, y: 1 - x]
+    wanted = drawn(both, (-1, 1), (-2, 2), 20)
+    assert (drawn(["x*y", both[1]], (-1, 1), (-2, 2), 20) == wanted).all()
+
+
+def test_a_text_that_is_no_formula_is_refused() -> None:
+    with pytest.raises(surfaces.FormulaError, match="an operator is missing"):
+        surfaces.surface("2x")
+    assert not page().any()

@@ -1,0 +1,29 @@
+"""What mypy and help() tell whoever calls the plotter."""
+
+import inspect
+from pathlib import Path
+
+import pytest
+
+import surfaces
+
+CALLS = Path(__file__).with_name("calls_to_check.py")
+FUNCTIONS = [name for name in surfaces.__all__ if inspect.isroutine(getattr(surfaces, name))]
+
+
+def test_mypy_refuses_wrong_calls_and_no_others() -> None:
+    pytest.importorskip("mypy", reason="needs mypy")
+    from mypy import api
+
+    report, errors, _ = api.run(["--strict", "--no-error-summary", str(CALLS)])
+    assert not errors
+    refused = {int(line.split(":")[1]) for line in report.splitlines() if ": error:" in line}
+    lines = CALLS.read_text("utf-8").splitlines()
+    wrong = {number for number, line in enumerate(lines, 1) if line.endswith("# wrong")}
+    assert refused == wrong
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_the_signature_in_help_is_made_of_names(name: str) -> None:
+    text = str(inspect.signature(getattr(surfaces, name)))
+    assert "numpy" not in text and "typing" not in text
