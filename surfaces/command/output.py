@@ -6,8 +6,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from bgi import YELLOW, BGIError, cleardevice, setcolor, writeimagefile
-from bgi.machine import display_exists
+from bgi import YELLOW, cleardevice, setcolor, writeimagefile
 from surfaces.animation import progress, save_gif
 from surfaces.command.parser import Order
 from surfaces.explorer import Options, explore
@@ -19,7 +18,6 @@ PAGE = (78, 40)
 """Columns and rows of a text."""
 MILLISECONDS = 50
 """How long a GIF shows each picture."""
-NO_DISPLAY = "no display to open a window on; try: -o picture.png (or .gif .svg .txt)"
 
 
 def put_out(order: Order) -> None:
@@ -33,10 +31,6 @@ def put_out(order: Order) -> None:
 def _open_window(order: Order) -> None:
     if order.monitor:
         os.environ["BGI_MONITOR"] = order.monitor
-    if not os.environ.get("BGI_MONITOR"):
-        if not display_exists():
-            raise BGIError(NO_DISPLAY)
-        os.environ["BGI_MONITOR"] = "window"  # or an error: nobody would see it
     explore(order.formula, order.size or USUAL, **asdict(order.options))
 
 

@@ -7,7 +7,7 @@ from surfaces.explorer.dials import TURN
 from surfaces.explorer.explorer import EXAMPLES, Explorer
 from surfaces.explorer.keys import read_key
 from surfaces.explorer.options import Options
-from surfaces.explorer.screen import USUAL, Size, attended, open_screen
+from surfaces.explorer.screen import USUAL, Size, attended, open_window
 
 SMALLEST: Size = (480, 240)
 """What the lines below the picture need."""
@@ -26,13 +26,13 @@ def explore(formula: str = EXAMPLES[0], size: Size = USUAL, **options: Any) -> N
         options: how the picture begins, by the names of `Options`: x=(0, 5), turn=30, axes=True.
 
     The window stays open; closegraph() closes it. ValueError, before it opens, if there is no
-    surface to see; WindowClosed when the user closes it.
+    surface to see, BGIError if there is no display; WindowClosed when the user closes it.
     """
     beginning = Options(**options)
     beginning.sample(formula)
     if any(given < least for given, least in zip(size, SMALLEST, strict=True)):
         raise ValueError("a window to explore in must be at least {} x {} pixels".format(*SMALLEST))
-    open_screen(size, beginning.dither)
+    open_window(size, beginning.dither)
     setactivepage(1)
     explorer = Explorer(formula, beginning)
     while explorer.running:

@@ -2,11 +2,14 @@
 
 import os
 
-from bgi import IBM8514, IBM8514HI, IBM8514LO, VGA, VGAHI, initgraph, initwindow
+from bgi import IBM8514, IBM8514HI, IBM8514LO, VGA, VGAHI, BGIError, initgraph, initwindow
 from bgi.machine import display_exists
 
 Size = tuple[int, int]
 USUAL: Size = (640, 480)
+NO_DISPLAY = (
+    "no display to open a window on; a file needs none: python -m surfaces FORMULA -o picture.png"
+)
 
 MODES: dict[tuple[Size, bool], tuple[int, int]] = {
     ((640, 480), False): (IBM8514, IBM8514LO),
@@ -23,6 +26,20 @@ def open_screen(size: Size = USUAL, dither: bool = False) -> None:
         initgraph(*mode)
     else:
         initwindow(*size, "surfaces")
+
+
+def open_window(size: Size = USUAL, dither: bool = False) -> None:
+    """Open a screen that somebody sees, or the one that BGI_MONITOR asks for; else BGIError."""
+    if os.environ.get("BGI_MONITOR"):
+        open_screen(size, dither)
+        return
+    if not display_exists():
+        raise BGIError(NO_DISPLAY)
+    os.environ["BGI_MONITOR"] = "window"  # or an error: on no other monitor a key ever comes
+    try:
+        open_screen(size, dither)
+    finally:
+        del os.environ["BGI_MONITOR"]
 
 
 def attended() -> bool:

@@ -1,5 +1,7 @@
 """The explorer: what its keys do, typed one by one, and what the mouse does."""
 
+import os
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -406,6 +408,17 @@ class TestLoop:
         with pytest.raises(ValueError, match=message):
             explore(formula, **options)
         assert current.loaded() is None
+
+    @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display")
+    def test_without_a_display_it_says_so(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        for name in ("BGI_MONITOR", "DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+            monkeypatch.delenv(name, raising=False)
+        with pytest.raises(bgi.BGIError, match="no display"):
+            explore("x")
+        monkeypatch.setenv("DISPLAY", ":no-such-display")
+        with pytest.raises(bgi.BGIError, match="no window"):
+            explore("x")
+        assert "BGI_MONITOR" not in os.environ
 
     def test_an_option_that_there_is_not(self) -> None:
         with pytest.raises(TypeError, match="spin"):
