@@ -167,6 +167,8 @@ def draw_floor(picture: HeightPicture, levels: list[float], floor: float, limits
         limits: ... if these are the heights of the first and the last colour.
     """
     easel, (low, high) = picture.easel, limits
+    if levels:
+        easel.load_palette()
     for level in levels:
         part = np.array([(level - low) / ((high - low) or 1.0)])
         color = int(easel.palette.bands(part)[0])

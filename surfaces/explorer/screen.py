@@ -20,10 +20,14 @@ MODES: dict[tuple[Size, bool], tuple[int, int]] = {
 
 
 def open_screen(size: Size = USUAL, dither: bool = False) -> None:
-    """Open a screen of that size: a mode of a card if one has it, else a window."""
-    mode = MODES.get((size, dither))
-    if mode:
-        initgraph(*mode)
+    """Open a screen of that size: a mode of a card if one has it, else a window.
+
+    ValueError if there are no 16 colors to dither with.
+    """
+    if (size, dither) in MODES:
+        initgraph(*MODES[size, dither])
+    elif dither:
+        raise ValueError("dithering is for the 16 colors of a VGA, which has 640 x 480 pixels")
     else:
         initwindow(*size, "surfaces")
 

@@ -61,6 +61,12 @@ __all__ = [
 ]
 
 
+ENTRIES = 256
+"""As many colours as a palette has on the 8514..."""
+BYTES_OF_A_MIXTURE = 4
+"""... and as many bytes as a pixel has in a window, where colours are mixed without a palette."""
+
+
 class System(Protocol):
     """The least that a graphics system must have."""
 
@@ -84,6 +90,9 @@ class Pen:
     `arrays` (its calls take arrays), `vector` (polygons are better than pixels, as in a drawing
     that can be scaled), `aspect` (the width of a pixel divided by its height), and `character` (how
     many pixels wide and high a character is, if not 8).
+
+    A window of the BGI has no palette of 256, but takes any colour: there the pen keeps a palette
+    itself, and a surface looks as it does on the 8514.
     """
 
     def __init__(self, system: System | None = None) -> None:
@@ -98,6 +107,11 @@ class Pen:
             self.width = view.right - view.left + 1
             self.height = view.bottom - view.top + 1
         self.colors: int = self.system.getmaxcolor() + 1
+        self._mixed: Ints | None = None
+        """What to draw each palette entry with, where the pen keeps a palette of its own."""
+        if self.system is bgi and bgi.getimage(0, 0, 0, 0).array.itemsize == BYTES_OF_A_MIXTURE:
+            self.colors = ENTRIES
+            self._mixed = np.arange(ENTRIES)
         self.character = int(getattr(self.system, "character", 8))
 
     @property
@@ -126,16 +140,26 @@ class Pen:
 
     def palette(self, entries: Ints, rgb: Ints) -> None:
         """Give palette entries, (n,), their colours, (n, 3) of 0..255, where that can be done."""
-        if self.arrays and self._has("setrgbpalette"):
+        if self._mixed is not None:
+            self._mixed[entries] = [bgi.COLOR(r, g, b) for r, g, b in rgb.tolist()]
+        elif self.arrays and self._has("setrgbpalette"):
             self.system.setrgbpalette(entries, *rgb.T)
         elif self._has("setrgbpalette"):
             for entry, (r, g, b) in zip(entries.tolist(), rgb.tolist(), strict=True):
                 self.system.setrgbpalette(entry, r, g, b)
 
+    def _shown(self, colors: Any) -> Any:
+        """What draws palette entries: they themselves, or what is mixed for them."""
+        if self._mixed is None:
+            return colors
+        mixed = self._mixed.take(colors, mode="clip")
+        shown = np.where(np.less(colors, ENTRIES), mixed, colors)  # a mixture stays what it is
+        return shown if isinstance(colors, np.ndarray) else int(shown)
+
     def pixels(self, x: Ints, y: Ints, colors: Ints | int) -> None:
         """Set pixels, in order; what lies off the screen is left out."""
         if self.arrays:
-            self.system.putpixel(x, y, colors)
+            self.system.putpixel(x, y, self._shown(colors))
             return
         inside = (x >= 0) & (x < self.width) & (y >= 0) & (y < self.height)
         shades = np.broadcast_to(colors, x.shape)
@@ -151,7 +175,7 @@ class Pen:
             x, y, _ = trace.line_pixels(a, b)
             self.pixels(x, y, color)
         elif self.arrays:
-            self.system.line(a[:, 0], a[:, 1], b[:, 0], b[:, 1], color=color)
+            self.system.line(a[:, 0], a[:, 1], b[:, 0], b[:, 1], color=self._shown(color))
         else:
             self.system.setcolor(color)
             for ends_of_line in np.concatenate((a, b), axis=1).tolist():
@@ -161,7 +185,7 @@ class Pen:
         """Solid polygons, corners (n, k, 2), one after another; outline 0 is not drawn."""
         points = trace.rounded(corners)
         if self.arrays and self._has("fillpoly"):
-            self.system.fillpoly(points, fill=fills, color=outline)
+            self.system.fillpoly(points, fill=self._shown(fills), color=self._shown(outline))
             return
         draw = self._fillpoly if self._has("fillpoly", "setfillstyle") else self._fill_pixels
         for polygon, fill in zip(
@@ -187,6 +211,6 @@ class Pen:
         """Write, the upper left corner at x, y, where the system can write."""
         if self._has("outtextxy", "setcolor"):
             before = self.color
-            self.system.setcolor(color)
+            self.system.setcolor(self._shown(color))
             self.system.outtextxy(round(x), round(y), text)
             self.system.setcolor(before)

@@ -1,14 +1,18 @@
 """Any primitive graphics system: the same picture, however little the system can do."""
 
+import re
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
+import pygame
 import pytest
 from numpy.typing import NDArray
 
 import bgi
-from surfaces import FIGURES, Pen, parametric, rotation, surface
+from surfaces import FIGURES, RAMPS, Pen, parametric, rotation, surface
 from surfaces.systems.characters import Text
 from surfaces.systems.svg import Svg
 
@@ -189,3 +193,55 @@ def test_what_a_pen_knows_of_its_system() -> None:
     page = Pen(Text())
     assert (page.arrays, page.aspect, page.character, page.color) == (False, 0.5, 1, 15)
     assert Pen(Dots(4, 4, 4)).color == 3
+
+
+PICTURES: dict[str, Callable[[], object]] = {
+    "fill": lambda: surface(wave, (-3, 3), (-3, 3), 60, colorbar=True, axes=True, title="wave"),
+    "facets": lambda: surface(wave, (-3, 3), (-3, 3), 20, "facets", lines=bgi.WHITE),
+    "lines": lambda: surface(wave, (-3, 3), (-3, 3), 40, "fill+mesh", contours=5, floor=8),
+    "two": lambda: surface([wave, lambda x, y: 0 * x], (-3, 3), (-3, 3), 30, ramp="heat"),
+    "body": lambda: parametric(
+        lambda u, v: (np.cos(u), np.sin(u), v), (0, 6), (0, 1), 30, under="ice"
+    ),
+}
+
+
+def wave(x: Any, y: Any) -> Any:
+    """Up and down, so that both sides are seen."""
+    return np.sin(x * y)
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_a_window_shows_what_256_colors_show(name: str, tmp_path: Path) -> None:
+    """There is no palette to load: the colours are mixed one by one."""
+    shown = []
+    for number, open_screen in enumerate(
+        (lambda: bgi.initgraph(bgi.IBM8514, bgi.IBM8514LO), lambda: bgi.initwindow(640, 480))
+    ):
+        open_screen()
+        bgi.setcolor(bgi.YELLOW)
+        PICTURES[name]()
+        assert bgi.getcolor() == bgi.YELLOW
+        file = tmp_path / f"{number}.png"
+        bgi.writeimagefile(file)
+        shown.append(pygame.surfarray.array3d(pygame.image.load(file)).astype(int))
+    assert len(np.unique(shown[1].reshape(-1, 3), axis=0)) > 16
+    assert np.abs(shown[0] - shown[1]).max() <= 3  # the 8514 takes the upper six bits
+
+
+@pytest.mark.parametrize("mode", ["fill", "wire"])
+def test_the_floor_has_its_colors_though_it_is_drawn_first(mode: str) -> None:
+    """Contours below the first picture were white: the palette was loaded after them."""
+    picture = Svg()
+    surface(lambda x, y: x, (-1, 1), (-1, 1), 10, mode, floor=[0.0], lines=bgi.BLUE, on=picture)
+    strokes = set(re.findall(r'<path d="M[^z"]*" stroke="(#\w+)"', str(picture)))
+    red, green, blue = RAMPS["rainbow"].mix(160)[80]
+    assert f"#{red:02x}{green:02x}{blue:02x}" in strokes
+    assert "#ffffff" not in strokes
+
+
+def test_lines_in_a_color_of_ones_own() -> None:
+    bgi.initwindow(320, 200)
+    ink = bgi.COLOR(250, 128, 3)
+    surface(wave, (-3, 3), (-3, 3), 10, "mesh", lines=ink)
+    assert ink in np.unique(bgi.getpixel(*np.meshgrid(np.arange(320), np.arange(200))))
