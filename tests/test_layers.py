@@ -24,6 +24,7 @@ LAYERS = [
     "bgi.memory.palette",
     "bgi.memory.sdl",
     "bgi.machine",
+    "bgi.memory.operators",
     "bgi.memory.page",
     "bgi.memory.matching",
     "bgi.memory.gif",

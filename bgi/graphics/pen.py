@@ -67,9 +67,7 @@ class Pen(State):
     def _box(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
         """The outline of a box between absolute corners, in any order: four lines."""
         if self._plain:
-            x1, x2 = (left, right) if left <= right else (right, left)
-            y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
-            self.page.outline(x1, y1, x2, y2, color)
+            self.page.outline(left, top, right, bottom, color)
             return
         self._segment(left, top, right, top, color)
         self._segment(right, top, right, bottom, color)
@@ -113,6 +111,7 @@ class Pen(State):
     # Arguments of polygons
 
     def _shifted(self, points: list[Point]) -> list[Point]:
+        """Points relative to the viewport as absolute ones."""
         dx, dy = self._origin
         return [(x + dx, y + dy) for x, y in points] if dx or dy else points
 

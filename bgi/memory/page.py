@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.memory.operators import OPERATORS
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
 from bgi.raster.ellipses import Offset, Outline
@@ -164,10 +165,20 @@ class Page:
             self.array[part] = self._inked(mask[part], color)
 
     def outline(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
-        """The four sides of a box, thin and solid; corners in order."""
-        pixel = self._left - 1, self._top - 1, self._right + 1, self._bottom + 1
-        left, right = max(left, pixel[0]), min(right, pixel[2])
-        top, bottom = max(top, pixel[1]), min(bottom, pixel[3])
+        """The four sides of a box, thin and solid; corners in any order."""
+        if left > right:
+            left, right = right, left
+        if top > bottom:
+            top, bottom = bottom, top
+        # A side that cannot be seen goes beside the clipping box: pygame takes small numbers only.
+        if left < self._left:
+            left = self._left - 1
+        if top < self._top:
+            top = self._top - 1
+        if right > self._right:
+            right = self._right + 1
+        if bottom > self._bottom:
+            bottom = self._bottom + 1
         if left <= right and top <= bottom:
             box = (left, top, right - left + 1, bottom - top + 1)
             pygame.draw.rect(self._surface, color, box, 1)
@@ -327,7 +338,7 @@ class Page:
         if found:
             here, there = found
             bits = self.flat.dtype.type(mask)
-            _OPERATORS[op](self.array[here], image[there] & bits, bits)
+            OPERATORS[op](self.array[here], image[there] & bits, bits)
 
     def clear(self) -> None:
         """The whole page becomes index 0, whatever the clipping box."""
@@ -338,30 +349,6 @@ class Page:
 def _row_of(color: int, width: int, dtype: np.dtype[Any]) -> tuple[memoryview, Cuts]:
     """A row of one colour to copy from, and what has been cut from its beginning, by length."""
     return np.full(width, color, dtype).data, {}
-
-
-def _copy(part: Pixels, image: Pixels, mask: Any) -> None:
-    part[:] = image
-
-
-def _xor(part: Pixels, image: Pixels, mask: Any) -> None:
-    part ^= image
-
-
-def _or(part: Pixels, image: Pixels, mask: Any) -> None:
-    part |= image
-
-
-def _and(part: Pixels, image: Pixels, mask: Any) -> None:
-    part &= image
-
-
-def _not(part: Pixels, image: Pixels, mask: Any) -> None:
-    part[:] = image ^ mask  # the complement of the image; the screen does not matter
-
-
-_OPERATORS = [_copy, _xor, _or, _and, _not]
-"""By number: COPY_PUT, XOR_PUT, OR_PUT, AND_PUT, NOT_PUT."""
 
 
 Part = tuple[slice, slice]
