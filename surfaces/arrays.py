@@ -20,16 +20,16 @@ Box = tuple[Doubles, Doubles]
 """The lowest and the highest corner of a box in space, (3,) each."""
 
 BELOW_LIMIT = 31 << 20
-"""Bytes of a block just below 32 MiB: glibc never treats larger ones as ordinary memory."""
+"""Bytes of a block just below 32 MiB: larger ones glibc always gives back to the system."""
 
 
 @cache
 def keep_freed_memory() -> None:
     """Make the C library of Linux keep the memory of freed arrays for the next picture's.
 
-    As it comes, glibc gives a large array's memory back to the system, and the next picture waits
-    for new pages: hundreds of page faults, up to a fifth of its time. Whenever a block below a
-    limit is freed, glibc takes that size for ordinary and keeps twice as much from then on. This
-    block is never written to, so it costs nothing; with other C libraries it changes nothing.
+    By default, glibc gives a large array's memory back to the system, and the next picture waits
+    for new pages: hundreds of page faults, up to a fifth of its time. But when a block just below
+    its limit has been freed, it treats blocks of that size as ordinary ones, and keeps up to twice
+    as much. This block is never written to, so it costs nothing; other C libraries ignore it.
     """
     np.empty(BELOW_LIMIT, np.uint8)

@@ -6,6 +6,7 @@ CI) what the extra `[test]` brings is there, and so nothing that could run is le
 
 import importlib.util
 import os
+import platform
 import shutil
 import sys
 from collections.abc import Generator
@@ -38,6 +39,7 @@ REASONS = {
     "uses POSIX descriptors": WINDOWS,
     "looks into /proc": not LINUX,
     "speaks of X11": not LINUX,
+    "speaks of glibc": platform.libc_ver()[0] != "glibc",
     "there is always a display": WINDOWS or MACOS,
 }
 

@@ -26,7 +26,7 @@ print(min(counts))
 """
 
 
-@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other C libraries have other ways")
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="speaks of glibc")
 def test_no_picture_waits_for_new_pages() -> None:
     """Each took 1500 pages anew, a fifth of its time: `arrays.keep_freed_memory`."""
     environment = os.environ | {"BGI_MONITOR": "none"}
