@@ -242,8 +242,8 @@ def text() -> str:
 def main() -> None:
     """Renew the pages, and write the A-Z page."""
     for page in index():
-        page.write_text(renewed(page), "utf-8")
-    FILE.write_text(text(), "utf-8")
+        page.write_text(renewed(page), "utf-8", newline="\n")
+    FILE.write_text(text(), "utf-8", newline="\n")
 
 
 if __name__ == "__main__":

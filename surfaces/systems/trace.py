@@ -24,8 +24,12 @@ FAR = 2**24
 
 
 def rounded(points: Doubles) -> Ints:
-    """The pixels nearest to points of the screen. (graphics.h would cut the fraction off.)"""
-    return np.floor(np.clip(points, -FAR, FAR) + 0.5).astype(np.int64)
+    """The pixels nearest to points of the screen. (graphics.h would cut the fraction off.)
+
+    A half, and what a rounding error leaves of one, goes down and to the right: sines differ in
+    their last bit from machine to machine, and pictures must not.
+    """
+    return np.floor(np.clip(points, -FAR, FAR) + (0.5 + TIE)).astype(np.int64)
 
 
 def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, Ints, Ints]:
@@ -80,7 +84,7 @@ def clip(starts: Doubles, ends: Doubles, width: int, height: int) -> tuple[Ints,
 
 def _nearest(points: Doubles) -> Ints:
     """`rounded` for points of the screen: they are not negative, so truncation is the floor."""
-    return (points + 0.5).astype(np.int64)
+    return (points + (0.5 + TIE)).astype(np.int64)
 
 
 def _inside(points: Doubles, room: Doubles) -> bool:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import bgi
 from surfaces import FIGURES, RAMPS, Pen, parametric, rotation, surface
+from surfaces.systems import trace
 from surfaces.systems.characters import Text
 from surfaces.systems.svg import Svg
 
@@ -245,3 +246,13 @@ def test_lines_in_a_color_of_ones_own() -> None:
     ink = bgi.COLOR(250, 128, 3)
     surface(wave, (-3, 3), (-3, 3), 10, "mesh", lines=ink)
     assert ink in np.unique(bgi.getpixel(*np.meshgrid(np.arange(320), np.arange(200))))
+
+
+def test_what_rounding_leaves_of_a_half_is_a_half() -> None:
+    """The last bit of a sine depends on the machine's C library, a picture does not."""
+    halves = np.array([[20.5, 7.5], [300.5, 0.5]])
+    for error in (0.0, 1e-10, -1e-10):
+        assert trace.rounded(halves + error).tolist() == [[21, 8], [301, 1]]
+        starts, ends, _ = trace.clip(halves + error, halves[::-1] + error, 640, 480)
+        assert starts.tolist() == [[21, 8], [301, 1]]
+        assert ends.tolist() == [[301, 1], [21, 8]]
