@@ -41,20 +41,14 @@ def wait_until(done: Callable[[], bool]) -> None:
 def gone(pid: int) -> bool:
     """Whether a process has ended; one that nobody has buried yet has."""
     if sys.platform == "win32":
-        return _gone_on_windows(pid)
+        kernel = ctypes.WinDLL("kernel32")
+        kernel.OpenProcess.restype = ctypes.c_void_p
+        process = ctypes.c_void_p(kernel.OpenProcess(SYNCHRONIZE, False, pid))
+        ended = not process or kernel.WaitForSingleObject(process, 0) == 0
+        kernel.CloseHandle(process)
+        return ended
     state = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True)
     return state.stdout.strip()[:1] in ("", "Z")
-
-
-def _gone_on_windows(pid: int) -> bool:
-    kernel = ctypes.WinDLL("kernel32")
-    kernel.OpenProcess.restype = ctypes.c_void_p
-    process = ctypes.c_void_p(kernel.OpenProcess(SYNCHRONIZE, False, pid))
-    if not process:
-        return True
-    ended: bool = kernel.WaitForSingleObject(process, 0) == 0
-    kernel.CloseHandle(process)
-    return ended
 
 
 def memory_of(pid: int) -> int:

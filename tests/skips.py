@@ -56,7 +56,7 @@ def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.Tes
     """Turn an unexpected skip into a failure."""
     report = yield
     if report.skipped and not hasattr(report, "wasxfail"):
-        _, _, said = report.longrepr
-        if complaint := unexpected(said.removeprefix("Skipped: ")):
+        assert isinstance(report.longrepr, tuple)
+        if complaint := unexpected(report.longrepr[2].removeprefix("Skipped: ")):
             report.outcome, report.longrepr = "failed", complaint
     return report

@@ -5,6 +5,7 @@ import pytest
 
 import bgi
 from bgi import current
+from bgi.monitor import Headless
 from tests.pictures import read_indices
 
 
@@ -12,6 +13,7 @@ def test_a_window_of_any_size_with_any_colour():
     assert bgi.initwindow(300, 123, "A title") == 0
     assert (bgi.getmaxx(), bgi.getmaxy(), bgi.getmaxcolor()) == (299, 122, 15)
     assert (bgi.getwindowwidth(), bgi.getwindowheight()) == (300, 123)
+    assert isinstance(current.screen.monitor, Headless)
     assert current.screen.monitor.title == "A title"
     orange = bgi.COLOR(255, 128, 0)
     assert orange == 0x030080FF

@@ -243,7 +243,7 @@ def test_two_thousand_flips_leave_nothing_behind(
             card.visible = number % 2
             window.show()
 
-    def state() -> tuple[int, int, int, int]:
+    def state() -> tuple[int, ...]:
         pids = os.getpid(), window.pid
         files = [len(os.listdir(f"/proc/{pid}/fd")) for pid in pids]
         return *files, *map(memory_of, pids)

@@ -330,7 +330,7 @@ def test_the_mouse_in_pixels_of_the_page(seen: Window) -> None:
     seen.sleep(100)
     for place, pixel in [(("180", "60"), (0, 0)), (("500", "300"), (160, 100))]:
         tool("xdotool", "mousemove", "--window", number_of(seen), *place)
-        wait_until(lambda pixel=pixel: (seen.mouse.x, seen.mouse.y) == pixel)  # type: ignore[misc]
+        wait_until(lambda pixel=pixel: (seen.mouse.x, seen.mouse.y) == pixel)
     tool("xdotool", "mousemove", "--window", number_of(seen), "999", "599")  # beside the picture
     wait_until(lambda: (seen.mouse.x, seen.mouse.y) == (319, 199))
 

@@ -202,7 +202,7 @@ def test_hidden_contours_are_not_drawn(holes: bool) -> None:
     assert isinstance(plot.picture, HeightPicture)
     assert plot.picture.swept != holes
     rows, columns = np.nonzero(canvas.array == 15)
-    seen = np.array([plot.pick(x, y) for x, y in zip(columns, rows, strict=True)], dtype=float)
+    seen = np.array([plot.pick(x, y) for x, y in zip(columns, rows, strict=True)], np.float64)
     assert np.hypot(seen[:, 0], seen[:, 1]) == pytest.approx(sqrt(-np.log(0.3) / 6), abs=0.08)
     assert 60 < len(rows) < 220
 

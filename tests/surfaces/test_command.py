@@ -170,7 +170,7 @@ def test_a_square_is_square_in_a_window_of_any_shape(
     file = tmp_path / "a.png"
     command = "0 --x -1 1 --y -1 1 --view top --title . --size 800 300 -o"
     assert run(capsys, *command.split(), str(file)) == (0, "")
-    shown = pixels(file)[20:].any(axis=2)  # below the title
+    shown = np.any(pixels(file)[20:], axis=2)  # below the title
     width, height = (np.flatnonzero(shown.any(axis=axis)).size for axis in (0, 1))
     assert abs(width - height) <= 1
 

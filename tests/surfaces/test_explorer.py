@@ -100,7 +100,7 @@ class TestKeys:
         walk = Explorer("exp(x) + y")  # beyond x and y, and in no way regular
         before, home = picture(walk), replace(walk.options)
         press(walk, key, monkeypatch)
-        assert walk.options == replace(home, **changes)  # type: ignore[arg-type]
+        assert walk.options == replace(home, **changes)
         assert picture(walk) != before
         press(walk, "Home", monkeypatch)
         assert walk.options == home
