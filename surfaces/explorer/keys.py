@@ -92,7 +92,7 @@ HELP = (
     ("[ ] ; '", "the paper's theta and rho_z"),
     ("Tab", "fill, mesh, ..."),
     ("PgUp PgDn", "finer, coarser"),
-    ("r c", "the colors; what they tell"),
+    ("r c", "the colors; what they show"),
     ("x b k", "axes; box; bar of colors"),
     ("l f", "contour lines on the surface; on the floor"),
     ("F2 F3", "save the picture; a full turn as a GIF"),
