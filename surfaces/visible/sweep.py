@@ -140,8 +140,9 @@ class Sweep:
         self._v = to_v[3] + to_v[2] * low, to_v[k], to_v[j], to_v[2] * tall
         self._rows = screen[3] + screen[2] * low, screen[k], screen[j], screen[2] * tall
         self._heights = low, tall
-        # Too flat on the screen to rise or fall: the eye sees one side of everything.
-        up = -self._v[3] if reach.max() > NO_HEIGHT else view.eye[2]
+        # Too flat on the screen for heights to tell: from line to line all strips rise, or all fall.
+        flat = view.eye[2] * self._v[1] * (1 if self.reversed else -1)
+        up = -self._v[3] if reach.max() > NO_HEIGHT else flat
         self.rising_is_upper = bool(up > 0)
         """Whether a strip that rises above the horizon shows its upper side."""
 

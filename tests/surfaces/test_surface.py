@@ -1,6 +1,7 @@
 """surface() on a real screen: what is drawn, where, and what is left alone."""
 
 from collections.abc import Iterator
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import bgi
 import surfaces
 from surfaces import FIGURES, Mapping, affine, compose, rotation, scaling, translation
 from surfaces.shape.grid import sample
-from surfaces.systems.colors import palette
+from surfaces.systems.colors import UNDER, UPPER, palette
 
 MODES = ["wire", "mesh", "fill", "fill+mesh", "waterfall", "facets"]
 SMALL: dict[str, Any] = {"x": (-1, 1), "y": (-1, 1)}
@@ -174,6 +175,23 @@ def test_the_figures_have_no_gaps(fig: surfaces.Figure) -> None:
 @pytest.mark.parametrize("n", [7, 50, 150])
 def test_cells_meet_without_gaps(T: NDArray[Any], n: int) -> None:
     assert gaps(drawn(lambda x, y: x * y, **SMALL, n=n, zfrac=0.1, transform=T)) == 0
+
+
+@pytest.mark.parametrize("turn", [0, 1, 2, 3, 4, 5, 6])
+@pytest.mark.parametrize(("elevation", "side"), [(pi / 2, "upper"), (-pi / 2, "under")])
+def test_seen_along_z_a_surface_shows_one_side(turn: float, elevation: float, side: str) -> None:
+    """There heights have no length on the screen, and cannot tell the sides apart."""
+    surfaces.surface(
+        lambda x, y: np.sin(x * y) / 5,
+        **SMALL,
+        n=20,
+        transform=rotation("z", turn),
+        projection=surfaces.orthographic(0, elevation),
+    )
+    inks = {"upper": UPPER, "under": UNDER}[side]
+    drawn = np.unique(page())
+    assert set(drawn) <= {0, *inks.tolist()}
+    assert len(drawn) > 10
 
 
 def test_the_quotient_has_no_holes() -> None:
