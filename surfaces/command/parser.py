@@ -47,7 +47,7 @@ USELESS: Mapping[str, tuple[tuple[str, ...], str]] = {
     "frames": ((WINDOW, ".png", ".svg", ".txt"), "only a .gif has several pictures"),
     "monitor": (FILES, "a file is written without one"),
     "dither": ((".svg", ".txt"), "only a screen has dots to mix"),
-    "ramp": ((".txt",), "characters have no colors"),
+    "ramp": ((".txt",), "characters have no colours"),
 }
 """Options that change nothing in some kinds of pictures, and why."""
 USUAL: Mapping[str, Mapping[str, Any]] = {
@@ -158,10 +158,10 @@ def _add_view(parser: argparse.ArgumentParser) -> None:
 def _add_look(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument_group("how it is drawn").add_argument
     add("--mode", choices=MODES, metavar="NAME", help=f"{', '.join(MODES)} (fill)")
-    fields_named = f"colors tell {', '.join(FIELDS)} (z; text: light)"
+    fields_named = f"colours tell {', '.join(FIELDS)} (z; text: light)"
     add("--color", choices=FIELDS, metavar="NAME", help=fields_named)
     add("--ramp", choices=RAMPS, metavar="NAME", help=f"{', '.join(RAMPS)} (rainbow)")
-    add("--dither", action="store_true", help="in 16 colors, mixed dot by dot")
+    add("--dither", action="store_true", help="in 16 colours, mixed dot by dot")
     add("--contours", type=_whole(0, 50), metavar="N", help="about N contour lines on the surface")
     add("--floor", type=_whole(0, 50), metavar="N", help="about N contour lines below it")
 
@@ -170,7 +170,7 @@ def _add_around(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument_group("what stands around it").add_argument
     add("--box", action="store_true", help="a box")
     add("--axes", action="store_true", help="axes with numbers")
-    add("--colorbar", action="store_true", help="what the colors stand for")
+    add("--colorbar", action="store_true", help="what the colours stand for")
     add("--title", metavar="TEXT", help="a line above it, instead of the formula")
 
 

@@ -7,7 +7,7 @@
 `python -m surfaces` opens it, too. It is a program, not a part of the plotter: it asks for keys,
 looks at the mouse and swaps pages, and draws by `surface()` as any other program does.
 
-    options   what can be set: ranges, turn, view, mode, colors, ...
+    options   what can be set: ranges, turn, view, mode, colours, ...
     dials     how an option is turned a step further      keys      which key turns which
     canvas    the surface and the cross-hair              panel     the lines below it
     editor    where a formula is typed                    status    how the options stand

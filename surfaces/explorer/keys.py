@@ -92,8 +92,8 @@ HELP = (
     ("[ ] ; '", "the paper's theta and rho_z"),
     ("Tab", "fill, mesh, ..."),
     ("PgUp PgDn", "finer, coarser"),
-    ("r c", "the colors; what they show"),
-    ("x b k", "axes; box; bar of colors"),
+    ("r c", "the colours; what they show"),
+    ("x b k", "axes; box; bar of colours"),
     ("l f", "contour lines on the surface; on the floor"),
     ("F2 F3", "save the picture; a full turn as a GIF"),
     ("F1 Esc", "this page, and back; end"),
@@ -102,6 +102,6 @@ HELP = (
 
 HINTS = (
     *("Enter formula", "arrows, mouse turn", "+ - zoom", ", . range", "F1 all keys", "Esc end"),
-    *("Tab mode", "PgUp/Dn n", "p view", "r c colors", "x axes", "b box", "l lines", "f floor"),
+    *("Tab mode", "PgUp/Dn n", "p view", "r c colours", "x axes", "b box", "l lines", "f floor"),
 )
 """Some of the keys, for the line below the picture: of a narrow window the last are left out."""

@@ -19,7 +19,7 @@ DOUBLED = 3
 """How many steps of `wider` make the domain twice as wide."""
 
 SMOOTH = 256
-"""With fewer colors ramps have bands, and are better mixed."""
+"""With fewer colours ramps have bands, and are better mixed."""
 
 
 @dataclass

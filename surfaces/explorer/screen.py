@@ -1,4 +1,4 @@
-"""The screen to draw on: its mode by its size and its colors, and whether anybody sees it."""
+"""The screen to draw on: its mode by its size and its colours, and whether anybody sees it."""
 
 import os
 
@@ -16,18 +16,18 @@ MODES: dict[tuple[Size, bool], tuple[int, int]] = {
     ((1024, 768), False): (IBM8514, IBM8514HI),
     ((640, 480), True): (VGA, VGAHI),
 }
-"""Sizes that a card had a mode for, in 256 colors or, for dithering, in 16."""
+"""Sizes that a card had a mode for, in 256 colours or, for dithering, in 16."""
 
 
 def open_screen(size: Size = USUAL, dither: bool = False) -> None:
     """Open a screen of that size: a mode of a card if one has it, else a window.
 
-    ValueError if there are no 16 colors to dither with.
+    ValueError if there are no 16 colours to dither with.
     """
     if (size, dither) in MODES:
         initgraph(*MODES[size, dither])
     elif dither:
-        raise ValueError("dithering is for the 16 colors of a VGA, which has 640 x 480 pixels")
+        raise ValueError("dithering is for the 16 colours of a VGA, which has 640 x 480 pixels")
     else:
         initwindow(*size, "surfaces")
 
