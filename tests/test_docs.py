@@ -171,6 +171,11 @@ class TestContributing:
             shown = {Path(path) for path in re.findall(rf"{package}/[\w/]+(?=/[\s,])", picture)}
             assert shown == inside
 
+    def test_there_is_a_command_for_each_habit(self):
+        told = set(re.findall(r"`make (\w+)`", self.TEXT))
+        targets = (ROOT / "Makefile").read_text("utf-8").partition(".PHONY: ")[2].partition("\n")[0]
+        assert told == set(targets.split())
+
     @pytest.mark.parametrize(("files", "name"), ANSWERS, ids=[name for _, name in ANSWERS])
     def test_the_files_that_answer_a_question_do(self, files, name):
         texts = [(ROOT / file).read_text("utf-8") for file in re.findall("`(.*?)`", files)]
