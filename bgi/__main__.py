@@ -1,12 +1,13 @@
 """The command `python -m bgi`: run a graphics program somehow else, or say what this machine has.
 
-    python -m bgi bounce.py --monitor none --after 2s --record bounce.gif
+    python -m bgi --monitor none --after 2s --record bounce.gif bounce.py
 
 runs a program, any program, unchanged: without a window, in a time of its own, for two seconds. The
-options may stand before the program's name or behind it; what follows a `--` is the program's.
+options stand before the program's name; whatever follows it is the program's.
 """
 
 import argparse
+import io
 import os
 import platform
 import runpy
@@ -14,37 +15,60 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from types import ModuleType, TracebackType
 
-from bgi import current
-from bgi.errors import BGIError, WindowClosed
+from bgi import __version__, current
 from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly
+from bgi.monitor import ending
 from bgi.monitor.keyboard import parse_script
+from bgi.monitor.plan import note, parse_time, written
+from bgi.monitor.recorder import missing
+
+VARIABLES = {
+    "monitor": "BGI_MONITOR",
+    "keys": "BGI_KEYS",
+    "shot": "BGI_SHOT",
+    "after": "BGI_AFTER",
+    "record": "BGI_RECORD",
+}
+"""The options that are for the program's monitor."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns the process's exit code."""
-    given = list(sys.argv[1:] if arguments is None else arguments)
-    rest = given.index("--") if "--" in given else len(given)
+    """Run the command; returns the process's exit status."""
     parser = _parser()
-    options, unknown = parser.parse_known_args(given[:rest])
+    options = parser.parse_args(arguments)
     if options.info:
         _say_what_there_is()
         return 0
-    if options.program is None:
-        parser.error("which program? Give its file, or --info")
-    if options.record and not _installed("pillow"):
-        parser.error("recording needs Pillow; type: pip install pybgi[record]")
-    for variable, value in {
-        "BGI_MONITOR": options.monitor,
-        "BGI_KEYS": options.keys,
-        "BGI_SHOT": options.shot,
-        "BGI_AFTER": options.after,
-        "BGI_RECORD": options.record,
-    }.items():
-        if value is not None:
-            os.environ[variable] = str(value)
-    return _run(options.program, [*unknown, *given[rest + 1 :]])
+    words = options.program[options.program[:1] == ["--"] :]  # which may end the options
+    program, *rest = words or parser.error("which program? Give its file, or --info")
+    if options.record and (reason := missing()):
+        parser.error(reason)
+    given = {name: str(value) for name in VARIABLES if (value := getattr(options, name))}
+    os.environ.update({VARIABLES[name]: value for name, value in given.items()})
+    if not os.path.exists(program):
+        print(f"bgi: there is no program {program}", file=sys.stderr)
+        return 2
+    if not given:
+        _say_what_stands_behind(program, rest)
+    planned = [os.path.abspath(given[name]) for name in ("shot", "record") if name in given]
+    try:
+        status = _run(program, rest)
+    finally:
+        current.close_screen()
+        unwritten = [file for file in planned if not _was_written(file)]
+    return status or int(bool(unwritten))
+
+
+def _say_what_stands_behind(program: str, rest: list[str]) -> None:
+    """A word to whoever gives this command options, and all of them in the wrong place."""
+    options = {f"--{name}" for name in VARIABLES}
+    behind = [word for word in rest if word.partition("=")[0] in options]
+    if behind:
+        what = f"{behind[0]} stands behind {program}, so it is for that program"
+        print(f"bgi: {what}; options of python -m bgi stand before it", file=sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -54,7 +78,12 @@ def _parser() -> argparse.ArgumentParser:
         description="Run a graphics program, with keys that press themselves and pictures taken.",
         allow_abbrev=False,
     )
-    parser.add_argument("program", nargs="?", metavar="PROGRAM.py", help="the program's file")
+    parser.add_argument(
+        "program",
+        nargs=argparse.REMAINDER,
+        metavar="PROGRAM.py",
+        help="the program's file, and its arguments",
+    )
     parser.add_argument(
         "--monitor", choices=("window", "none"), help="where to draw (default: where there is room)"
     )
@@ -67,6 +96,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--record", metavar="FILE.gif", help="write all that is on the screen")
     parser.add_argument("--info", action="store_true", help="say what this machine has, and end")
+    parser.add_argument("--version", action="version", version=f"bgi {__version__}")
     return parser
 
 
@@ -79,40 +109,72 @@ def _script(text: str) -> str:
 
 
 def _seconds(text: str) -> float:
-    """A time such as 2s, 2.5 or 500ms."""
-    number, unit = (text[:-2], 0.001) if text.endswith("ms") else (text.removesuffix("s"), 1)
     try:
-        seconds = float(number) * unit
-    except ValueError:
-        seconds = -1
-    if not 0 < seconds < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text!r} is no time: write 2s, 2.5s or 500ms")
-    return seconds
+        return parse_time(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _run(program: str, arguments: list[str]) -> int:
-    """Run a program as `python PROGRAM.py` would; returns the exit code."""
-    if not os.path.exists(program):
-        print(f"bgi: there is no program {program}", file=sys.stderr)
-        return 2
+    """Run a program as `python PROGRAM.py` would; returns the exit status."""
     sys.argv = [program, *arguments]
-    sys.path[0] = str(Path(program).resolve().parent)
+    if not sys.flags.safe_path:  # otherwise Python puts no folder there
+        sys.path[0] = str(Path(program).resolve().parent)
     try:
-        runpy.run_path(program, run_name="__main__")
-    except WindowClosed:
-        return 0  # by the user, or as planned
-    except BGIError as error:
-        print(f"bgi: {error}", file=sys.stderr)
-        return 1
-    finally:
-        current.close_screen()
+        _execute(program)
+    except SystemExit as end:
+        return _status(end)
+    except BaseException as error:
+        if isinstance(error, KeyboardInterrupt) and not ending.reason(error):
+            raise  # Ctrl-C: a status of its own
+        return _report(error)
     return 0
+
+
+def _execute(program: str) -> None:
+    if os.path.isdir(program):
+        runpy.run_path(program, run_name="__main__")
+        return
+    module = sys.modules["__main__"] = ModuleType("__main__")
+    module.__file__ = os.path.abspath(program)
+    with io.open_code(program) as file:
+        code = compile(file.read(), module.__file__, "exec", dont_inherit=True)
+    exec(code, module.__dict__)
+
+
+def _report(error: BaseException) -> int:
+    """Say what the program ended by, without our part of the traceback; the exit status."""
+    traceback: TracebackType | None = error.__traceback__
+    while traceback and traceback.tb_frame.f_code.co_filename == __file__:
+        traceback = traceback.tb_next
+    try:
+        sys.excepthook(type(error), error.with_traceback(traceback), traceback)
+    except SystemExit as end:
+        return _status(end)
+    return 1
+
+
+def _status(end: SystemExit) -> int:
+    """The exit status of a program that called sys.exit(); a text is said, and means 1."""
+    if end.code is None or isinstance(end.code, int):
+        return end.code or 0
+    print(end.code, file=sys.stderr)
+    return 1
+
+
+def _was_written(file: str) -> bool:
+    """Say whether a planned file was written; a failure has been said, but for one."""
+    if file not in written:
+        note(file, "the program opened no screen")
+    if written[file]:
+        print(f"bgi: {file} was written", file=sys.stderr)
+    return written[file]
 
 
 def _say_what_there_is() -> None:
     """Print what this machine has."""
     for name, value in {
-        "bgi": _installed("pybgi") or "not installed",
+        "bgi": __version__,
         "python": f"{platform.python_version()} ({platform.platform(terse=True)})",
         "numpy": _installed("numpy"),
         "pygame": f"{pygame.version.ver}{' of pygame-ce' if hasattr(pygame, 'IS_CE') else ''}"

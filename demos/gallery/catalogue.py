@@ -70,9 +70,9 @@ class Demo:
         own = {name: value for name, value in os.environ.items() if not name.startswith("BGI_")}
         with TemporaryDirectory() as folder:
             picture = Path(folder) / "picture.png"
-            options = ["--monitor", "none", "--after", MOMENT, "--shot", str(picture)]
-            command = [sys.executable, "-m", "bgi", *options, str(self.file)]
-            subprocess.run(command, env=own, check=True)
+            plan = {"BGI_MONITOR": "none", "BGI_AFTER": MOMENT, "BGI_SHOT": str(picture)}
+            command = [sys.executable, "-m", "bgi", str(self.file)]
+            subprocess.run(command, env=own | plan, check=True)
             readimagefile(picture)
 
     def _paragraph(self, number: int) -> str:

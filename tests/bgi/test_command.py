@@ -1,12 +1,14 @@
 """`python -m bgi`: programs run with keys, pictures and an end that nobody has to wait for."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+import bgi
 from bgi.memory.sdl import pygame
 from tests.processes import PATIENCE
 
@@ -48,19 +50,22 @@ def run(*arguments: str | Path, cwd: Path, **variables: str) -> subprocess.Compl
     )
 
 
+def written(file: Path) -> str:
+    """What the command says at the end."""
+    return f"bgi: {file} was written\n"
+
+
 def test_a_program_with_keys(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     elsewhere = tmp_path_factory.mktemp("elsewhere")
-    done = run(
-        *("--monitor", "none", folder / "bounce.py", "one", "--keys", "Esc", "--", "--shot"),
-        cwd=elsewhere,
-    )
-    expected = "a helper __main__ ['one', '--shot']\npictures: 0 key: 27\n"
+    program = [folder / "bounce.py", "one", "--shot", "--", "-x"]
+    done = run("--monitor", "none", "--keys", "Esc", *program, cwd=elsewhere)
+    expected = "a helper __main__ ['one', '--shot', '--', '-x']\npictures: 0 key: 27\n"
     assert (done.returncode, done.stdout, done.stderr) == (0, expected, "")
 
 
 def test_two_seconds_that_are_over_at_once(folder: Path) -> None:
-    done = run("bounce.py", "--monitor", "none", "--after", "2s", "--shot", "s.png", cwd=folder)
-    assert (done.returncode, done.stderr) == (0, "")
+    done = run("--monitor", "none", "--after", "2s", "--shot", "s.png", "bounce.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (0, written(folder / "s.png"))
     assert "pictures" not in done.stdout
     image = pygame.image.load(str(folder / "s.png"))
     bars = [x for x in range(640) if image.get_at((x, 5))[:3] == (255, 255, 255)]
@@ -72,8 +77,8 @@ def test_without_after_the_picture_is_of_the_end(folder: Path) -> None:
     (folder / "dot.py").write_text(
         "from bgi import *\ninitgraph()\nputpixel(3, 4, RED)\nclosegraph()\n"
     )
-    done = run("dot.py", "--monitor", "none", "--shot", "s.png", cwd=folder)
-    assert (done.returncode, done.stderr) == (0, "")
+    done = run("--monitor", "none", "--shot", "s.png", "dot.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (0, written(folder / "s.png"))
     image = pygame.image.load(str(folder / "s.png"))
     assert image.get_at((3, 4))[:3] == (0xAA, 0, 0)
 
@@ -81,23 +86,23 @@ def test_without_after_the_picture_is_of_the_end(folder: Path) -> None:
 @pytest.mark.parametrize("monitor", ["none", "window"])
 def test_a_recording(folder: Path, monitor: str) -> None:
     pil = pytest.importorskip("PIL.Image", reason="needs Pillow")
-    arguments = ["--monitor", monitor, "--after", "500ms", "--record", "r.gif"]
-    done = run("bounce.py", *arguments, cwd=folder)
-    assert (done.returncode, done.stderr) == (0, "")
+    options = ["--monitor", monitor, "--after", "500ms", "--record", "r.gif"]
+    done = run(*options, "bounce.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (0, written(folder / "r.gif"))
     with pil.open(folder / "r.gif") as gif:
         assert gif.size == (640, 480)
         assert gif.n_frames >= 3
 
 
 def test_a_window_with_keys_and_a_picture(folder: Path) -> None:
-    done = run(*("bounce.py", "--monitor", "window", "--keys", "x", "--shot", "s.png"), cwd=folder)
-    assert (done.returncode, done.stderr) == (0, "")
+    done = run("--monitor", "window", "--keys", "x", "--shot", "s.png", "bounce.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (0, written(folder / "s.png"))
     assert "key: 120" in done.stdout
     assert (folder / "s.png").exists()
 
 
 def test_a_window_that_ends_as_planned(folder: Path) -> None:
-    done = run("bounce.py", "--monitor", "window", "--after", "100ms", cwd=folder)
+    done = run("--monitor", "window", "--after", "100ms", "bounce.py", cwd=folder)
     assert (done.returncode, done.stderr) == (0, "")
     assert "pictures" not in done.stdout
 
@@ -107,11 +112,12 @@ def test_a_window_that_ends_as_planned(folder: Path) -> None:
     [
         (["nothing.py"], 2, "bgi: there is no program nothing.py"),
         ([], 2, "error: which program? Give its file, or --info"),
-        (["bounce.py", "--keys", "Foo"], 2, "'Foo' is no key: write"),
-        (["bounce.py", "--after", "soon"], 2, "'soon' is no time: write 2s, 2.5s or 500ms"),
-        (["bounce.py", "--after=-1s"], 2, "is no time"),
-        (["bounce.py", "--monitor", "vga"], 2, "invalid choice: 'vga'"),
-        (["wait.py", "--monitor", "none"], 1, "bgi: there is no window to type in"),
+        (["--keys", "Foo", "bounce.py"], 2, "'Foo' is no key: write"),
+        (["--after", "soon", "bounce.py"], 2, "'soon' is no time: write 2s, 2.5s or 500ms"),
+        (["--after=-1s", "bounce.py"], 2, "is no time"),
+        (["--monitor", "vga", "bounce.py"], 2, "invalid choice: 'vga'"),
+        (["--nonsense", "bounce.py"], 2, "unrecognized arguments: --nonsense"),
+        (["--monitor", "none", "wait.py"], 0, "bgi: nobody can press a key here"),
     ],
 )
 def test_what_goes_wrong_is_one_line(
@@ -124,13 +130,96 @@ def test_what_goes_wrong_is_one_line(
     assert "Traceback" not in done.stderr
 
 
-def test_a_programs_own_errors_are_its_own(folder: Path) -> None:
-    (folder / "wrong.py").write_text("1 / 0\n")
-    done = run("wrong.py", cwd=folder)
-    assert done.returncode == 1
-    assert done.stderr.endswith("ZeroDivisionError: division by zero\n")
+@pytest.mark.parametrize("monitor", ["none", "window"])
+@pytest.mark.parametrize("option", ["--shot", "--record"])
+def test_what_cannot_be_written_is_one_line_and_status_1(
+    folder: Path, option: str, monitor: str
+) -> None:
+    pytest.importorskip("PIL", reason="needs Pillow")
+    file = Path("nowhere", "x.gif")
+    done = run("--monitor", monitor, "--keys", "x", option, file, "bounce.py", cwd=folder)
+    line = f"bgi: {folder / file} was not written: No such file or directory\n"
+    assert (done.returncode, done.stderr) == (1, line)
+    assert "key: 120" in done.stdout
+
+
+def test_without_a_screen_there_is_no_picture(folder: Path) -> None:
     (folder / "exit.py").write_text("raise SystemExit(7)\n")
-    assert run("exit.py", cwd=folder).returncode == 7
+    done = run("--shot", "s.png", "exit.py", cwd=folder)
+    line = f"bgi: {folder / 's.png'} was not written: the program opened no screen\n"
+    assert (done.returncode, done.stderr) == (7, line)
+    (folder / "exit.py").write_text("raise SystemExit\n")
+    done = run("--shot", "s.png", "exit.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (1, line)
+
+
+def test_options_that_all_stand_behind_the_program(folder: Path) -> None:
+    (folder / "arguments.py").write_text("import sys; print(sys.argv[1:])\n")
+    done = run("arguments.py", "a", "--shot=s.png", "--after", "2", cwd=folder)
+    assert (done.returncode, done.stdout) == (0, "['a', '--shot=s.png', '--after', '2']\n")
+    assert done.stderr == (
+        "bgi: --shot=s.png stands behind arguments.py, so it is for that program; "
+        "options of python -m bgi stand before it\n"
+    )
+    done = run("--monitor", "none", "arguments.py", "--shot=s.png", cwd=folder)
+    assert (done.stdout, done.stderr) == ("['--shot=s.png']\n", "")
+
+
+WHO_AM_I = """
+import sys, __main__
+import helper
+print(sys.argv, sys.path[0], __name__, __file__, __package__, __spec__)
+print(__main__.sys is sys, sys.modules["__main__"].__dict__ is globals(), helper.WORDS)
+def f(): return 1 / 0
+f()
+"""
+
+
+@pytest.mark.parametrize("name", ["who.py", "sub/who.py", "{}/who.py", "link.py"])
+def test_a_program_runs_as_python_runs_it(folder: Path, name: str) -> None:
+    for place in (folder, folder / "sub"):
+        place.mkdir(exist_ok=True)
+        (place / "who.py").write_text(WHO_AM_I)
+        (place / "helper.py").write_text(f"WORDS = {place.name!r}")
+    try:
+        (folder / "link.py").symlink_to(Path("sub", "who.py"))
+    except OSError:
+        pytest.skip("no symbolic links here")
+    command = [name.format(folder), "a", "-b"]
+    alone = subprocess.run(
+        [sys.executable, *command], cwd=folder, capture_output=True, text=True, timeout=PATIENCE
+    )
+    through = run(*command, cwd=folder)
+    assert "ZeroDivisionError" in alone.stderr
+    assert (through.returncode, through.stdout) == (alone.returncode, alone.stdout)
+    assert through.stderr == alone.stderr
+
+
+def test_a_program_that_is_no_python_is_reported_as_ever(folder: Path) -> None:
+    (folder / "wrong.py").write_text("print(1\n")
+    alone = subprocess.run(
+        [sys.executable, "wrong.py"], cwd=folder, capture_output=True, text=True, timeout=PATIENCE
+    )
+    done = run("wrong.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (1, alone.stderr)
+
+
+def test_a_folder_with_a_main_program(folder: Path) -> None:
+    (folder / "sub").mkdir()
+    (folder / "sub" / "__main__.py").write_text("print(__name__)")
+    assert run("sub", cwd=folder).stdout == "__main__\n"
+
+
+def test_exit_statuses(folder: Path) -> None:
+    for given, status, said in (("7", 7, ""), ("None", 0, ""), ("'no luck'", 1, "no luck\n")):
+        (folder / "exit.py").write_text(f"raise SystemExit({given})\n")
+        done = run("exit.py", cwd=folder)
+        assert (done.returncode, done.stderr) == (status, said)
+
+
+def test_version(tmp_path: Path) -> None:
+    assert run("--version", cwd=tmp_path).stdout == f"bgi {bgi.__version__}\n"
+    assert re.fullmatch(r"\d+\.\d+\.\d+", bgi.__version__)
 
 
 def test_info(tmp_path: Path) -> None:
