@@ -24,7 +24,7 @@ from bgi.api.windows import *
 from bgi.conio import getch, kbhit
 from bgi.constants import *
 from bgi.dos import delay
-from bgi.errors import BGIError, WindowClosed
+from bgi.errors import BGIError, NobodyThere, WindowClosed
 from bgi.graphics import Graphics
 from bgi.memory.image import Image
 from bgi.settings import (
@@ -79,7 +79,7 @@ __all__ = [
     # Structures, classes and exceptions
     "arccoordstype", "fillsettingstype", "linesettingstype", "palettetype", "pointtype",
     "textsettingstype", "viewporttype",
-    "Graphics", "Image", "BGIError", "WindowClosed",
+    "Graphics", "Image", "BGIError", "NobodyThere", "WindowClosed",
     # Graphics drivers
     "CURRENT_DRIVER", "DETECT", "CGA", "MCGA", "EGA", "EGA64", "EGAMONO", "IBM8514", "HERCMONO",
     "ATT400", "VGA", "PC3270",

@@ -26,8 +26,8 @@ def getch() -> int:
     A key without a character (arrows, F1..F10, Home, Alt-letters, ...) returns 0 first; the next
     call returns its scan code: 72, 80, 75, 77 for up, down, left, right. Enter is 13, Esc 27;
     characters beyond ASCII have their codes of code page 437. Raises BGIError before initgraph,
-    WindowClosed if the window is closed meanwhile, and BGIError without a window once the scripted
-    keys (BGI_KEYS) are used up. Source: conio.h.
+    WindowClosed if the window is closed meanwhile, and NobodyThere, a kind of it, without a window
+    once the scripted keys (BGI_KEYS) are used up. Source: conio.h.
     """
     return current.screen.monitor.read_key()
 

@@ -7,33 +7,38 @@ drawing functions need not look. Screens are numbered as they open, like WinBGIm
 
 from __future__ import annotations
 
+import functools
+import threading
+from collections.abc import Callable
 from typing import NoReturn, cast
 
 from bgi.constants import ALL_WINDOWS, CURRENT_WINDOW, NO_CURRENT_WINDOW
-from bgi.errors import BGIError
+from bgi.errors import BGIError, TimeIsUp
 from bgi.graphics import Graphics
 from bgi.kernel.modes import GraphicsMode
 from bgi.memory.card import Card
 from bgi.monitor import choose
+from bgi.monitor.ending import follow_program, interrupt
 
 
 class _Absent:
     """Stands where a screen would."""
 
-    def __init__(self, kind: type[BGIError], text: str) -> None:
-        self._kind = kind
-        self._text = text
+    def __init__(self, error: Callable[[], BGIError]) -> None:
+        self._error = error
 
     def __getattr__(self, name: str) -> NoReturn:
-        raise self._kind(self._text)
+        raise self._error()
 
 
-def _absent(kind: type[BGIError], text: str) -> Graphics:
-    return cast(Graphics, _Absent(kind, text))
+def _absent(error: Callable[[], BGIError]) -> Graphics:
+    return cast(Graphics, _Absent(error))
 
 
-_NOT_LOADED = _absent(BGIError, "BGI Error: Graphics not initialized (use 'initgraph')")
-_TEXT_MODE = _absent(BGIError, "BGI Error: Not in graphics mode")
+_NOT_LOADED = _absent(
+    lambda: BGIError("BGI Error: Graphics not initialized (use 'initgraph')"),
+)
+_TEXT_MODE = _absent(lambda: BGIError("BGI Error: Not in graphics mode"))
 
 screen: Graphics = _NOT_LOADED
 number: int = NO_CURRENT_WINDOW
@@ -66,6 +71,7 @@ def open_screen(mode: GraphicsMode) -> None:
 
 def open_window(mode: GraphicsMode, title: str = "pybgi") -> int:
     """Open another screen with a monitor of its own, and make it the current one."""
+    _follow_program()
     new = next(n for n in range(len(_open) + 1) if n not in _open)
     needed = mode.width * mode.height * mode.pages * mode.pixel_bytes
     card = Card(max(needed, 2 * 1024 * 768))
@@ -76,6 +82,11 @@ def open_window(mode: GraphicsMode, title: str = "pybgi") -> int:
     select(new)
     monitor.key_waiting()  # raises if the window was closed as soon as it opened
     return new
+
+
+@functools.cache  # once is enough
+def _follow_program() -> None:
+    follow_program(close_screen)
 
 
 def select(which: int) -> None:
@@ -95,7 +106,9 @@ def close_screen(which: int = ALL_WINDOWS) -> None:
     """Let go of a screen, of the current one, or of all: monitor, memory and all."""
     global screen, number
     which = number if which == CURRENT_WINDOW else which
-    for closing in list(_open) if which == ALL_WINDOWS else [which]:
+    # The current one last: of several pictures of the end, its stays.
+    everyone = sorted(_open, key=lambda one: one == number)
+    for closing in everyone if which == ALL_WINDOWS else [which]:
         gone = _open.pop(closing, None)
         _reached.pop(closing, None)
         if gone is not None:
@@ -113,6 +126,11 @@ def _reach(which: int, target: Graphics) -> None:
 
 
 def _lost(which: int, error: BGIError) -> None:
-    """A window is gone (called by its monitor's thread): the next call says so."""
+    """A window is gone (called by its monitor, mostly by a thread of it): the next call says so."""
     if which in _open:
-        _reach(which, _absent(type(error), str(error)))
+        _reach(which, _absent(lambda: error.with_traceback(None)))
+        if (
+            isinstance(error, TimeIsUp)
+            and threading.current_thread() is not threading.main_thread()
+        ):
+            interrupt(error)

@@ -4,34 +4,28 @@ What Borland answered with a code is a code here too: `graphresult()` hands it o
 raised where Borland's library could only have crashed, hung or ended the program.
 """
 
-import sys
-from types import TracebackType
-
 
 class BGIError(RuntimeError):
     """A call that cannot be carried out: no graphics mode, no window, no key to wait for."""
 
 
 class WindowClosed(BGIError):
-    """The user closed the window; raised by the program's next call."""
+    """The user closed the window; raised by the program's next call.
 
-
-def say_in_one_line() -> None:
-    """From now on, a program that ends because its window was closed says so without a traceback.
-
-    It is what a user does with most programs, and nothing to look into. Whoever else handles
-    uncaught exceptions is asked about all others.
+    A program that does not catch it ends with one line and exit status 0: it made no error.
     """
-    before = sys.excepthook
-    if getattr(before, "__module__", None) == __name__:
-        return
 
-    def hook(
-        kind: type[BaseException], error: BaseException, traceback: TracebackType | None
-    ) -> None:
-        if isinstance(error, WindowClosed):
-            print(f"bgi: {error}", file=sys.stderr)
-        else:
-            before(kind, error, traceback)
+    def _render_traceback_(self) -> list[str]:
+        """What a notebook shows in place of a traceback."""
+        return [f"bgi: {self}"]
 
-    sys.excepthook = hook
+
+class TimeIsUp(WindowClosed):
+    """The end has come that BGI_AFTER plans."""
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__(f"ended after {seconds:g} s, as planned")
+
+
+class NobodyThere(WindowClosed):
+    """The program waits for a key that nobody can press, since there is no window."""

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from bgi import BGIError, WindowClosed, closegraph
+from bgi import BGIError, NobodyThere, WindowClosed, closegraph
 from surfaces.animation import PillowMissing
 from surfaces.command.output import put_out
 from surfaces.command.parser import parse
@@ -21,6 +21,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with np.errstate(all="ignore"):  # for heights that no float can hold
             put_out(order)
+    except NobodyThere as error:
+        print(f"surfaces: {error}", file=sys.stderr)
     except WindowClosed:
         pass  # the user has had enough
     except KeyboardInterrupt:

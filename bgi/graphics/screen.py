@@ -157,6 +157,7 @@ class State:
         number = whole("page", page)
         if 0 <= number < len(self.pages):
             self.card.visible = number
+            self.monitor.flip()
 
     def getactivepage(self) -> int:
         """The page drawn on."""

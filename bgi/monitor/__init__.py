@@ -28,6 +28,9 @@ class Monitor(Protocol):
     def show(self) -> None:
         """Return when the visible page, as it is now, has been shown."""
 
+    def flip(self) -> None:
+        """Another page is visible; it need not be waited for."""
+
     def key_waiting(self) -> bool:
         """Whether `read_key` would return at once."""
 
@@ -66,10 +69,11 @@ def choose(
 ) -> Monitor:
     """The monitor that BGI_MONITOR names, or a window where there is a display.
 
-    `on_lost` is called, from another thread, with the error that every call raises from then on:
-    when the user closes the window or its process dies. Where a window cannot be opened one line
-    says why, and drawing goes on without it; but BGIError is raised if BGI_MONITOR asks for it.
-    ValueError if BGI_MONITOR is neither `window` nor `none`, or the plan makes no sense.
+    `on_lost` is called, mostly from another thread, with the error that every call raises from then
+    on: when the user closes the window, its process dies or the planned end comes. Where a window
+    cannot be opened one line says why, and drawing goes on without it; but BGIError is raised if
+    BGI_MONITOR asks for it. ValueError if BGI_MONITOR is neither `window` nor `none`, or the plan
+    makes no sense.
     """
     wish = os.environ.get("BGI_MONITOR", "")
     if wish not in ("", "window", "none"):
@@ -84,7 +88,7 @@ def choose(
             return Window(card, title, on_lost, plan)
         except BGIError as error:
             _say_that_there_is_no_window(str(error))
-    return Headless(title=title, card=card, plan=plan)
+    return Headless(title=title, card=card, plan=plan, on_lost=on_lost)
 
 
 @functools.cache  # once is enough

@@ -46,6 +46,7 @@ class Child:
         self._display = Display(card, folder)
         self._speaker = Speaker()
         self._recorder: Recorder | None = None
+        self._planned = ""  # the file that the program asked for
         self._parent = os.getppid()
         self._frame = 1 / _rate()
         self._asked = ""  # the number of the picture the program waits for
@@ -69,7 +70,7 @@ class Child:
             "pointer": self._inputs.use_pointer,
             "move": lambda rest: self._inputs.move(*map(int, rest.split())),
             "limits": lambda rest: self._inputs.limit(*map(int, rest.split())),
-            "record": self._record,
+            "record": self._record_as_planned,
             "notice": self._display.notice,
             "close": lambda rest: self._close(),
             "end": lambda rest: self._end(),
@@ -127,8 +128,8 @@ class Child:
         else:
             pause = IDLE_FRAME if now - self._lively > IDLE_AFTER else self._frame
         self._free = max(self._free + pause, start + pause - LATE)
-        if self._asked:
-            self._send("shown", self._asked, self._display.presents)
+        # If the program does not read, its pipe is full: then it is told next time.
+        if self._asked and self._send("shown", self._asked, self._display.presents):
             self._asked = ""
 
     # Recording
@@ -138,6 +139,10 @@ class Child:
             self._record("")
         else:
             self._stop_recording()
+
+    def _record_as_planned(self, file: str) -> None:
+        self._planned = file
+        self._record(file)
 
     def _record(self, file: str) -> None:
         """Begin to record, into the next free file beside the program if it has no name."""
@@ -163,12 +168,15 @@ class Child:
             threading.Thread(target=self._save, args=[recorder, time.monotonic()]).start()
 
     def _save(self, recorder: Recorder, now: float) -> None:
+        failure = ""
         try:
             recorder.save(now)
         except OSError as error:
-            self._inbox.put(("notice", f"not saved: {error.strerror}"))
-        else:
-            self._inbox.put(("notice", f"saved {Path(recorder.file).name}"))
+            failure = error.strerror or str(error)
+        name = Path(recorder.file).name
+        self._inbox.put(("notice", f"not saved: {failure}" if failure else f"saved {name}"))
+        if recorder.file == self._planned:
+            self._send("recorded", failure)
 
     # The end
 
@@ -179,13 +187,15 @@ class Child:
     def _end(self) -> None:
         self._over = True
 
-    def _send(self, word: str, *arguments: object) -> None:
+    def _send(self, word: str, *arguments: object) -> bool:
+        """Tell the program; False if it does not read: that must not stop the window, too."""
         try:
             os.write(self._output, encode(word, *arguments))
         except BlockingIOError:
-            pass  # a program that is stopped does not read; the window must not stop, too
+            return False
         except OSError:
             self._over = True  # the program is gone: a broken pipe, on Windows an invalid argument
+        return True
 
 
 def _rate() -> float:

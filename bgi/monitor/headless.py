@@ -2,32 +2,42 @@
 
 Its keys come from a script and its clock is a number, so a program with pauses and questions runs
 through at once and the same way every time. Whatever takes time on a real screen moves the clock: a
-pause, a picture, and a little every question that is answered with no.
+pause, a picture, and a little every question.
 """
 
 import math
+import os
 import sys
+import threading
 import time
+from collections.abc import Callable
 
-from bgi.errors import BGIError, WindowClosed
+from bgi.errors import BGIError, NobodyThere, TimeIsUp
 from bgi.memory.card import Card
 from bgi.monitor.keyboard import KeyQueue
-from bgi.monitor.plan import Plan, or_say_why
+from bgi.monitor.plan import Plan, saving
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.recorder import Recorder
 
 # Milliseconds that it takes ...
 PICTURE = 1000 / 60  # to show a picture
 KEY = 250  # to press a key that the program waits for
-QUESTION = 0.1  # to ask whether there is a key, or what time it is
+QUESTION = 0.1  # to ask whether there is a key, where the mouse is, or what time it is
+
+# A planned end comes in real time, too, for a program that sleeps by itself as in time.sleep(). One
+# that is busy has more: it may be computing a picture.
+LOOK_SECONDS = 0.05  # from one look at the program to the next
+ASLEEP = 0.1  # of a processor at most
+BUSY_TIMES, BUSY_SECONDS = 10, 30  # its share of real time, and the least
 
 
 class Headless:
     """Shows nothing; counts what it was asked for.
 
     `plan` is by default that of the environment, `keys` a script instead of its keys. `shown`
-    counts the calls of show(), `now` the milliseconds passed; `sounds` holds when which pitch
-    began to play. What the plan wants to see is looked up on `card`.
+    counts the pictures, `now` the milliseconds passed; `sounds` holds when which pitch began to
+    play. What the plan wants to see is looked up on `card`. `on_lost` is called with the error that
+    every call raises once the planned end has come.
     """
 
     def __init__(
@@ -36,56 +46,78 @@ class Headless:
         title: str = "",
         card: Card | None = None,
         plan: Plan | None = None,
+        on_lost: Callable[[BGIError], None] = lambda error: None,
     ) -> None:
         self.shown = 0
         self.now = 0.0
         self.title = title
         self.sounds: list[tuple[float, int]] = []
-        self.mouse = Mouse(lambda *message: None)
-        self.keys = KeyQueue(limit=sys.maxsize)
+        self._mouse = Mouse(lambda *message: None)
+        self._keys = KeyQueue(limit=sys.maxsize)
+        self._owner = os.getpid()
         self._began = time.time()
         self._card = card
         self._plan = plan or Plan.from_environment(keys)
         self._recorder = Recorder(self._plan.record) if self._plan.record else None
         self._recorded: tuple[float, object] = (-PICTURE, None)  # the last picture, and when it was
         self._expected = False  # whether the program knows that a key waits
-        self._over: WindowClosed | None = None
-        self.keys.load(self._plan.keys)
-        self.keys.close(
-            BGIError(
-                "there is no window to type in and no scripted key is left; "
-                'give keys in the variable BGI_KEYS, as in BGI_KEYS="1 w Left Esc"'
+        self._on_lost = on_lost
+        self._over: TimeIsUp | None = None
+        self._closed = threading.Event()
+        self._keys.load(self._plan.keys)
+        self._keys.close(
+            NobodyThere(
+                "nobody can press a key here, for there is no window; "
+                'to script some: BGI_KEYS="1 w Left Esc"'
             )
         )
+        if self._plan.after < math.inf:
+            threading.Thread(target=self._watch, name="bgi end", daemon=True).start()
 
     def show(self) -> None:
         """Count one picture."""
         self.shown += 1
         self._pass(PICTURE)
 
+    def flip(self) -> None:
+        """Count one picture."""
+        self.show()
+
     def key_waiting(self) -> bool:
         """Whether the script goes on."""
-        self._expected = self.keys.waiting()
+        self._expected = self._keys.waiting()
         self._pass(0 if self._expected else QUESTION)
         return self._expected
 
     def read_key(self) -> int:
-        """The script's next byte; at its end BGIError, or WindowClosed where an end is planned."""
+        """The script's next byte; at its end NobodyThere, or TimeIsUp where an end is planned."""
         self._wait_for_key()
-        code = self.keys.get()
-        self._expected = self.keys.half()
+        code = self._keys.get()
+        self._expected = self._keys.half()
         return code
 
     def read_keystroke(self) -> bytes:
         """The script's next keystroke."""
         self._wait_for_key()
         self._expected = False
-        return self.keys.take()
+        return self._keys.take()
 
     def _wait_for_key(self) -> None:
-        if not self.keys.waiting() and self._plan.after < math.inf:
+        if not self._keys.waiting() and self._plan.after < math.inf:
             self._pass(math.inf)
         self._pass(0 if self._expected else KEY)
+
+    @property
+    def keys(self) -> KeyQueue:
+        """The keys that wait."""
+        self._pass(QUESTION)
+        return self._keys
+
+    @property
+    def mouse(self) -> Mouse:
+        """A mouse that nobody moves."""
+        self._pass(QUESTION)
+        return self._mouse
 
     def sound(self, hertz: int) -> None:
         """Remember when which pitch began."""
@@ -107,13 +139,18 @@ class Headless:
 
     def close(self) -> None:
         """Write the picture and the recording that are planned; once."""
+        if os.getpid() != self._owner:
+            return  # a forked copy of the program
+        self._closed.set()
         if self._card is not None:
             self._record(self._card)
             self._plan.take_shot(self._card)
         recorder, self._recorder = self._recorder, None
         if recorder is not None:
-            with or_say_why(recorder.file):
+            with saving(recorder.file):
                 recorder.save(self.now / 1000)
+
+    # The end
 
     def _pass(self, milliseconds: float) -> None:
         """Let time pass, and the end come."""
@@ -125,9 +162,24 @@ class Headless:
         end = 1000 * self._plan.after
         self.now = min(self.now + milliseconds, end)
         if self.now >= end:
-            self.close()
-            self._over = WindowClosed(f"{self._plan.after:g} seconds are over, as planned")
-            raise self._over
+            raise self._end()
+
+    def _end(self) -> TimeIsUp:
+        self.close()
+        self._over = TimeIsUp(self._plan.after)
+        self._on_lost(self._over)
+        return self._over
+
+    def _watch(self) -> None:
+        """Bring the end of a program that hardly asks for anything which moves the clock."""
+        asleep, began, used = 0.0, time.monotonic(), time.process_time()
+        while not self._closed.wait(LOOK_SECONDS):
+            before, used = used, time.process_time()
+            if used - before < ASLEEP * LOOK_SECONDS:
+                asleep += LOOK_SECONDS
+            busy = time.monotonic() - began > max(BUSY_TIMES * self._plan.after, BUSY_SECONDS)
+            if busy or asleep > self._plan.after:
+                self._end()
 
     def _record(self, card: Card) -> None:
         frame = card.frame() if self._recorder else None

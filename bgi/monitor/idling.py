@@ -1,7 +1,8 @@
-"""Notices when a program does nothing but ask for a key, so that it need not keep a processor busy.
+"""Notices when a program does nothing but ask, so that it need not keep a processor busy.
 
-`while not kbhit(): pass` was the way to wait. Such a loop asks very often and leaves the card as it
-is; a loop that draws or computes between two questions is never held up.
+`while not kbhit(): pass` was the way to wait, for a key, the mouse or a time. Such a loop asks very
+often and leaves the card as it is; a loop that draws or computes between two questions is never
+held up.
 """
 
 import time
@@ -9,7 +10,7 @@ import time
 from bgi.memory.card import Card
 
 REST_SECONDS = 0.010  # of a program that is idle; a key ends a rest at once
-PATIENCE = 1000  # questions answered with no, until the card is looked at
+PATIENCE = 1000  # questions, until the card is looked at
 IMPATIENCE = 50  # the same for a program that was idle a moment ago
 QUICK_SECONDS = 4e-6  # from one question to the next, at most, if nothing is done between them
 
@@ -23,8 +24,8 @@ class Idling:
         self._since = 0.0
         self._seen = 0
 
-    def count_no(self) -> bool:
-        """Count a question that is answered with no; return whether the program may rest now."""
+    def count_question(self) -> bool:
+        """Count a question that does not end a wait; return whether the program may rest now."""
         self._left -= 1
         if self._left:
             return False

@@ -24,7 +24,7 @@ class Inputs:
     def __init__(
         self,
         display: Display,
-        send: Callable[..., None],
+        send: Callable[..., object],
         hot_keys: dict[tuple[int, int], Callable[[], None]],
     ) -> None:
         self._display = display

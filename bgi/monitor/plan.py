@@ -5,7 +5,8 @@
     ============  =================================================================
     BGI_KEYS      keys that are "pressed", as in ``1 w Left Esc``
     BGI_SHOT      a file for a picture of the screen at the end
-    BGI_AFTER     when that is, in seconds; unset: when the program closes the screen
+    BGI_AFTER     when that is, as in ``2s``, ``2.5`` or ``500ms``; unset: when the
+                  program closes the screen, or ends
     BGI_RECORD    a file for a recording of everything
     ============  =================================================================
 """
@@ -18,10 +19,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from bgi.errors import BGIError
 from bgi.memory import imagefile
 from bgi.memory.card import Card, Frame
 from bgi.monitor.keyboard import parse_script
 from bgi.monitor.picture import Colours, pixels
+from bgi.monitor.recorder import missing
+
+written: dict[str, bool] = {}
+"""The planned files whose time has come, and whether they were written."""
 
 
 @dataclass
@@ -37,34 +43,58 @@ class Plan:
     def from_environment(cls, keys: str | None = None) -> "Plan":
         """The plan that the variables describe, or one with other keys.
 
-        ValueError names a variable that makes no sense, or a word that is no key.
+        ValueError names a variable that makes no sense, or a word that is no key; BGIError says
+        what is missing for a recording.
         """
         after = os.environ.get("BGI_AFTER", "")
         try:
-            seconds = float(after or math.inf)
-        except ValueError:
-            raise ValueError(f"BGI_AFTER is {after!r}; it may be a number of seconds") from None
+            seconds = parse_time(after) if after else math.inf
+        except ValueError as error:
+            raise ValueError(f"BGI_AFTER: {error}") from None
         shot, record = (os.environ.get(name, "") for name in ("BGI_SHOT", "BGI_RECORD"))
+        if record and (reason := missing()):
+            raise BGIError(reason)
         script = os.environ.get("BGI_KEYS", "") if keys is None else keys
         shot, record = (file and os.path.abspath(file) for file in (shot, record))
         return cls(parse_script(script), shot, seconds, record)
 
     def take_shot(self, card: Card) -> None:
-        """Write the picture that is planned, once; if that fails one line says so."""
+        """Write the picture that is planned, once."""
         frame = card.frame() if self.shot else None
         if frame is not None:
-            with or_say_why(self.shot):
-                Path(self.shot).write_bytes(shot(frame, card.palette))
-            self.shot = ""
+            file, self.shot = self.shot, ""
+            with saving(file):
+                Path(file).write_bytes(shot(frame, card.palette))
+
+
+def parse_time(text: str) -> float:
+    """A time such as 2s, 2.5 or 500ms, in seconds; ValueError if it is none."""
+    number, unit = (text[:-2], 0.001) if text.endswith("ms") else (text.removesuffix("s"), 1)
+    try:
+        seconds = float(number) * unit
+    except ValueError:
+        seconds = -1
+    if not 0 < seconds < math.inf:
+        raise ValueError(f"{text!r} is no time: write 2s, 2.5s or 500ms")
+    return seconds
 
 
 @contextlib.contextmanager
-def or_say_why(file: str) -> Iterator[None]:
-    """Whoever closes a screen must not fail because a file cannot be written."""
+def saving(file: str) -> Iterator[None]:
+    """Write a planned file; if that fails one line says why: to close a screen must not fail."""
+    failure = ""
     try:
         yield
     except OSError as error:
-        print(f"bgi: {file} was not written: {error.strerror}", file=sys.stderr)
+        failure = error.strerror or str(error)
+    note(file, failure)
+
+
+def note(file: str, failure: str = "") -> None:
+    """Remember that a planned file was written, or say in one line what kept it from being."""
+    written[file] = not failure
+    if failure:
+        print(f"bgi: {file} was not written: {failure}", file=sys.stderr)
 
 
 def shot(frame: Frame, palette: Colours) -> bytes:

@@ -25,6 +25,7 @@ to the program            meaning
 ``wheel CLICKS``          its wheel was turned, down or (less than 0) up
 ``shown N PRESENTS``      picture N is on show; so many were presented since the start
 ``recording``             something is being recorded: writing it will take its time
+``recorded FAILURE``      the recording asked for is written, or what kept it from being
 ``closed``                the user has closed the window
 ========================  ==============================================================
 """

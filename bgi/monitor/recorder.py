@@ -1,7 +1,7 @@
 """A recording of what was on show: pictures and their times, written as a GIF that moves.
 
-Pillow writes the file; it comes with `pip install pybgi[record]`. Until then the pictures wait,
-compressed: a minute of a typical program fits into a few megabytes.
+Pillow writes the file; it is optional. Until then the pictures wait, compressed: a minute of a
+typical program fits into a few megabytes.
 """
 
 import importlib.util
@@ -22,12 +22,18 @@ LONGEST = 65535  # ticks: all that a GIF can say of one picture; eleven minutes
 LAST = 0.5  # seconds at least for the last picture, before it all begins again
 
 
+def missing() -> str:
+    """What keeps us from recording, in a line that helps; empty if nothing does."""
+    found = importlib.util.find_spec("PIL") is not None
+    return "" if found else 'recording needs Pillow; type: pip install ".[record]"'
+
+
 class Recorder:
-    """A recording under way; BGIError, with a line that helps, if Pillow is not installed."""
+    """A recording under way; BGIError if Pillow is not installed."""
 
     def __init__(self, file: str) -> None:
-        if importlib.util.find_spec("PIL") is None:
-            raise BGIError("recording needs Pillow; type: pip install pybgi[record]")
+        if reason := missing():
+            raise BGIError(reason)
         self.file = file
         self._frames: list[tuple[float, Frame, bytes]] = []
 

@@ -4,7 +4,6 @@ A thread listens to the child. When the window is lost it wakes whatever waits, 
 every call raises.
 """
 
-import atexit
 import contextlib
 import math
 import os
@@ -15,11 +14,11 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from bgi.errors import BGIError, WindowClosed, say_in_one_line
+from bgi.errors import BGIError, TimeIsUp, WindowClosed
 from bgi.memory.card import Card
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyboard import PIECE_SECONDS, KeyQueue
-from bgi.monitor.plan import Plan
+from bgi.monitor.plan import Plan, note
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.protocol import encode, receive
 
@@ -62,7 +61,6 @@ class Window:
         self._input, self._output = self._process.stdin, self._process.stdout
         self._listener = threading.Thread(target=self._listen, name="bgi window", daemon=True)
         self._listener.start()
-        atexit.register(self.close)
         try:
             self.set_title(title)
             if not self._wait(lambda: self._ready, time.monotonic() + START_SECONDS):
@@ -70,7 +68,6 @@ class Window:
         except BaseException:
             self.close()
             raise
-        say_in_one_line()
         self._follow_plan()
 
     def _follow_plan(self) -> None:
@@ -78,14 +75,15 @@ class Window:
         if self._plan.record:
             self._send("record", self._plan.record)
         if self._plan.after < math.inf:
-            clock = threading.Timer(self._plan.after, self._time_is_up)
+            seconds = min(self._plan.after, threading.TIMEOUT_MAX)
+            clock = threading.Timer(seconds, self._time_is_up)
             clock.daemon = True
             clock.start()
 
     def _time_is_up(self) -> None:
         with contextlib.suppress(ValueError):  # the program has just closed the card
             self._plan.take_shot(self._card)
-        self._lose(WindowClosed(f"{self._plan.after:g} seconds are over, as planned"))
+        self._lose(TimeIsUp(self._plan.after))
 
     def show(self) -> None:
         """Return when the visible page, as it is now, has been shown."""
@@ -96,10 +94,14 @@ class Window:
             self._send("show", number)
         self._wait(lambda: self._answered >= number)
 
+    def flip(self) -> None:
+        """Nothing: the window looks at the card by itself."""
+        self._check()
+
     def key_waiting(self) -> bool:
         """Whether `read_key` would return at once; rests a moment if nothing else is done."""
         self._check()
-        if not self._keys.waiting() and self._idling.count_no():
+        if not self._keys.waiting() and self._idling.count_question():
             self._keys.wait(REST_SECONDS)
         return self._keys.waiting()
 
@@ -121,13 +123,13 @@ class Window:
     @property
     def keys(self) -> KeyQueue:
         """The keys that wait."""
-        self._check()
+        self._question()
         return self._keys
 
     @property
     def mouse(self) -> Mouse:
         """The mouse over the window."""
-        self._check()
+        self._question()
         return self._mouse
 
     def sound(self, hertz: int) -> None:
@@ -137,7 +139,7 @@ class Window:
 
     def time(self) -> float:
         """The time, in seconds since 1970."""
-        self._check()
+        self._question()
         return time.time()
 
     def sleep(self, milliseconds: float) -> None:
@@ -154,7 +156,6 @@ class Window:
         """Close the window; a second time does nothing. Never raises."""
         if os.getpid() != self._owner:
             return  # a forked copy of the program: the window is not its own
-        atexit.unregister(self.close)
         if self._ready:
             with contextlib.suppress(ValueError):  # the card has been closed already
                 self._plan.take_shot(self._card)
@@ -173,6 +174,12 @@ class Window:
             raise self._error.with_traceback(None)
         if os.getpid() != self._owner:
             raise BGIError("the window belongs to the process that opened it, this is a fork of it")
+
+    def _question(self) -> None:
+        """Answer at once, but for a rest now and then if the program does nothing but ask."""
+        self._check()
+        if self._idling.count_question():
+            self._wait(lambda: False, time.monotonic() + REST_SECONDS)
 
     def _wait(self, done: Callable[[], bool], until: float = math.inf) -> bool:
         """Wait for news until `done`; False if that takes too long. Raises once lost."""
@@ -195,6 +202,8 @@ class Window:
             for word, rest in receive(self._output.fileno()):
                 self._hear(word, rest)
         status = self._process.wait()
+        if status == 0:  # the word that it was closed did not fit into the pipe
+            self._lose(WindowClosed("the window was closed"))
         self._lose(BGIError(f"the window process ended unexpectedly (exit status {status})"))
 
     def _hear(self, word: str, rest: str) -> None:
@@ -213,6 +222,8 @@ class Window:
                 self._keys.shifts = int(rest)
             case "recording":
                 self._end_seconds = SAVE_SECONDS
+            case "recorded":
+                note(self._plan.record, failure=rest)
             case "ready":
                 with self._news:
                     self._ready = True

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from bgi import BGIError, WindowClosed, closegraph, initgraph, writeimagefile
+from bgi import BGIError, NobodyThere, WindowClosed, closegraph, initgraph, writeimagefile
 from bgi.machine import display_exists
 from gallery import menu
 from gallery.catalogue import NAMES, load
@@ -32,6 +32,8 @@ def main(arguments: Sequence[str] | None = None, prog: str = "python -m demos") 
             load(options.name).run()
         else:
             _gallery()
+    except NobodyThere as error:
+        print(f"demos: {error}", file=sys.stderr)
     except WindowClosed:
         pass  # the user has had enough
     except KeyboardInterrupt:

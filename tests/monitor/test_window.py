@@ -4,6 +4,7 @@ SDL's dummy driver takes the place of the screen.
 """
 
 import os
+import queue
 import signal
 import subprocess
 import sys
@@ -16,9 +17,11 @@ import numpy as np
 import pytest
 
 import bgi.monitor
-from bgi.errors import BGIError
+from bgi.errors import BGIError, WindowClosed
 from bgi.memory.card import Card
+from bgi.memory.sdl import pygame
 from bgi.monitor import Headless, Monitor, Window, choose
+from bgi.monitor.child import Child
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.protocol import decode, encode, receive
 from bgi.monitor.speaker import LOUDNESS, RATE
@@ -328,7 +331,7 @@ class Loop:
         for number in range(questions):
             work(number)
             self.now += seconds
-            rest = self._idling.count_no()
+            rest = self._idling.count_question()
             rests += rest
             self.now += REST_SECONDS * rest
         return rests
@@ -355,6 +358,46 @@ def test_a_key_ends_a_rest_at_once(window: Window, monkeypatch: pytest.MonkeyPat
     while not window.key_waiting():
         pass
     typist.join()
+
+
+@pytest.mark.parametrize("question", ["mouse", "keys", "time()"])
+def test_whoever_asks_for_anything_rests(
+    window: Window, monkeypatch: pytest.MonkeyPatch, question: str
+) -> None:
+    rests: list[str] = []
+    monkeypatch.setattr(window._idling, "count_question", lambda: len(rests) < 3)
+    monkeypatch.setattr(window, "_wait", lambda done, until: rests.append(question))
+    for _ in range(5):
+        eval(f"window.{question}")
+    assert rests == 3 * [question]
+
+
+@posix
+def test_a_program_that_does_not_read_is_told_later(card: Card, tmp_path: Path) -> None:
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    child = Child(card, tmp_path, queue.SimpleQueue(), writer)
+    full = os.write(writer, bytes(1 << 20))  # as much as the pipe takes
+    child._show("7")
+    child._present()
+    assert child._asked == "7"
+    assert len(os.read(reader, full)) == full
+    child._free = 0
+    child._present()
+    assert os.read(reader, 100) == encode("shown", 7, child._display.presents)
+    os.close(reader)
+    os.close(writer)
+    pygame.quit()
+
+
+@posix
+def test_a_window_that_goes_without_a_word_was_closed(
+    window: Window, errors: list[BGIError], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(window, "_hear", lambda word, rest: None)  # the pipe was full
+    os.kill(window.pid, signal.SIGTERM)
+    wait_until(lambda: bool(errors))
+    assert isinstance(errors[0], WindowClosed)
 
 
 # No window
