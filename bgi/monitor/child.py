@@ -165,6 +165,7 @@ class Child:
         """Write the recording in a thread of its own: the window goes on meanwhile."""
         recorder, self._recorder = self._recorder, None
         if recorder is not None:
+            self._record_frame(recorder)  # what has been drawn last
             threading.Thread(target=self._save, args=[recorder, time.monotonic()]).start()
 
     def _save(self, recorder: Recorder, now: float) -> None:

@@ -38,12 +38,13 @@ class Recorder:
         self._frames: list[tuple[float, Frame, bytes]] = []
 
     def add(self, now: float, frame: Frame, palette: bytes) -> None:
-        """A picture is on show from `now` (in seconds) on."""
+        """A picture is on show from `now` (in seconds) on, if it is not already."""
         packed = frame._replace(pixels=zlib.compress(frame.pixels, 1))
-        self._frames.append((now, packed, palette))
+        if not self._frames or self._frames[-1][1:] != (packed, palette):
+            self._frames.append((now, packed, palette))
 
     def save(self, now: float) -> None:
-        """Write what has been on show until `now`, if anything has; OSError if that fails."""
+        """Write what has been on show until `now`; OSError if that fails, or nothing has been."""
         kept: list[tuple[int, int]] = []  # from which tick on which picture is seen
         for number, (then, _, _) in enumerate(self._frames):
             tick = round(then / TICK)
@@ -51,7 +52,7 @@ class Recorder:
                 tick, _ = kept.pop()  # the later picture takes the place of one hardly seen
             kept.append((tick, number))
         if not kept:
-            return
+            raise OSError("nothing was on show")
         starts = [tick for tick, _ in kept]
         starts.append(max(round(now / TICK), starts[-1] + round(LAST / TICK)))
         shown = [

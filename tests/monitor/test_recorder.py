@@ -98,7 +98,8 @@ def test_a_picture_that_stays_longer_than_a_gif_can_say(file: Path) -> None:
 
 
 def test_nothing_recorded_is_no_file(file: Path) -> None:
-    Recorder(str(file)).save(1)
+    with pytest.raises(OSError, match="nothing was on show"):
+        Recorder(str(file)).save(1)
     assert not file.exists()
 
 
