@@ -19,6 +19,13 @@ Bools = NDArray[np.bool_]
 Box = tuple[Doubles, Doubles]
 """The lowest and the highest corner of a box in space, (3,) each."""
 
+
+def middle(box: Box) -> Doubles:
+    """The centre of a box, (3,)."""
+    low, high = box
+    return low / 2 + high / 2
+
+
 BELOW_LIMIT = 31 << 20
 """Bytes of a block just below 32 MiB: larger ones glibc always gives back to the system."""
 

@@ -46,6 +46,8 @@ class Frame:
     """(3,): the lowest corner, in the surface's own x, y and z..."""
     high: Doubles
     """(3,): ... and the highest."""
+    origin: Doubles
+    """(3,): the point that the view counts from."""
 
     @property
     def far(self) -> Doubles:
@@ -66,7 +68,7 @@ class Frame:
         return found
 
     def _lines(self, starts: list[Doubles], ends: list[Doubles], color: int) -> None:
-        a, b = (apply(points, self.view.screen)[:, :2] for points in (starts, ends))
+        a, b = (self._on_screen(points) for points in (starts, ends))
         self.pen.lines(a, b, self.pen.ink(color))
 
     def back(self) -> None:
@@ -106,12 +108,15 @@ class Frame:
                 self._axis(axis, name, start, stop, taken)
 
     def _middle(self, points: tuple[Doubles, Doubles]) -> Doubles:
-        middle: Doubles = apply((points[0] + points[1]) / 2, self.view.screen)[:2]
-        return middle
+        return self._on_screen((points[0] + points[1]) / 2)
+
+    def _on_screen(self, points: Sequence[Doubles] | Doubles) -> Doubles:
+        """Where points (..., 3) appear, (..., 2)."""
+        return apply(np.asarray(points) - self.origin, self.view.screen)[..., :2]
 
     def _axis(self, axis: int, name: str, start: Doubles, stop: Doubles, taken: list[Area]) -> None:
         """One axis, along an edge from start to stop; `taken` has been written on."""
-        ends = apply((start, stop), self.view.screen)[:, :2]
+        ends = self._on_screen((start, stop))
         along = ends[1] - ends[0]
         length, character = float(np.hypot(*along)), self.pen.character
         if length < 4 * character:

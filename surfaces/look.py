@@ -11,13 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from surfaces import frame
-from surfaces.arrays import Box, Doubles, keep_freed_memory
+from surfaces.arrays import Box, Doubles, keep_freed_memory, middle
 from surfaces.frame import Frame, draw_bar, write_title
 from surfaces.shape.sampling import Interval
 from surfaces.space.fitting import fit
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.projections import projection
-from surfaces.space.transforms import Point, compose
+from surfaces.space.transforms import Point, compose, translation
 from surfaces.space.view import View
 from surfaces.systems.colors import Ramp, palette
 from surfaces.systems.pen import BLACK, Pen, System
@@ -88,7 +88,7 @@ class Look:
 
         Args:
             mode: The mode it will be drawn in.
-            box: The box around it.
+            box: The box around it. What is drawn on the stage counts from the middle of it.
             nodes: How many nodes it has in each direction.
             transform: 4x4, what moves it before it is mapped. None: nothing.
             mapping: How it is mapped to the screen. None: so that it fits.
@@ -114,10 +114,12 @@ class Look:
         """The mapping as given, or one that fits; and the 4x4 transform that goes before it."""
         given = self.projection
         view = Mapping(self.theta, self.rho_z) if given is None else projection(given)
+        origin = middle(box)
         if mapping is not None:
-            return np.eye(4), mapping
+            return translation(*origin), mapping
+        low, high = box
         return fit(
-            box,
+            (low - origin, high - origin),
             pen.width,
             pen.height,
             view,
@@ -146,20 +148,43 @@ class Stage:
     mapping: Projection
     """From space to the screen."""
     fitted: Doubles
-    """4x4: puts the surface into the middle of that space."""
-    transform: Doubles
+    """4x4: puts the surface, counted from the origin, into the middle of that space."""
+    moved: Doubles
     """4x4: the same, and then what turns it there."""
+
+    @property
+    def origin(self) -> Doubles:
+        """(3,): the middle of the box, from which the coordinates of all that is drawn count.
+
+        Far from zero the products of a large coordinate with a matrix would lose digits. Times in
+        seconds since 1970, say, and the steps between them, differ by nine of sixteen digits.
+        """
+        return middle(self.box)
+
+    @property
+    def transform(self) -> Doubles:
+        """4x4: `moved`, for coordinates that count from zero."""
+        return compose(translation(*-self.origin), self.moved)
 
     @property
     def frame(self) -> Frame:
         """The box and the axes around the surface."""
-        return Frame(self.easel.pen, self.easel.view, *self.box)
+        return Frame(self.easel.pen, self.easel.view, *self.box, self.origin)
 
     @property
     def heights(self) -> Interval:
         """The least and the greatest z."""
         low, high = self.box
         return float(low[2]), float(high[2])
+
+    def above_origin(self, heights: list[float]) -> list[float]:
+        """Heights counted from the origin's."""
+        return [height - float(self.origin[2]) for height in heights]
+
+    @property
+    def floor(self) -> float:
+        """The z of the floor, or the ceiling: the level face away from the eye; from the origin."""
+        return float((self.frame.far - self.origin)[2])
 
     @property
     def scales(self) -> Point:

@@ -20,7 +20,6 @@ import numpy as np
 from surfaces.arrays import Bools, Doubles
 from surfaces.shape.contours import contours
 from surfaces.shape.grid import Grid
-from surfaces.shape.sampling import Interval
 from surfaces.space.transforms import apply
 from surfaces.visible import horizon, painter
 from surfaces.visible.horizon import Segments
@@ -157,16 +156,18 @@ def draw_contours(picture: HeightPicture, levels: list[float]) -> None:
                 easel.pen.lines(starts[shown], ends[shown], easel.ink)
 
 
-def draw_floor(picture: HeightPicture, levels: list[float], floor: float, limits: Interval) -> None:
+def draw_floor(picture: HeightPicture, levels: list[float], floor: float) -> None:
     """Contour lines on the floor of the surface's box, or on its ceiling.
 
     Args:
         picture: The surfaces.
-        levels: Heights, each drawn in the colour that stands for it...
+        levels: Heights, each drawn in the colour that stands for it: the first colour for the
+            lowest point of the surfaces, the last for the highest.
         floor: The z of the floor.
-        limits: ... if these are the heights of the first and the last colour.
     """
-    easel, (low, high) = picture.easel, limits
+    easel = picture.easel
+    boxes = [grid.box for grid in picture.grids]
+    low, high = min(a[2] for a, _ in boxes), max(b[2] for _, b in boxes)
     if levels:
         easel.load_palette()
     for level in levels:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from surfaces.arrays import Box, Doubles
+from surfaces.arrays import Box, Doubles, middle
 from surfaces.formulas import formula
 from surfaces.look import Look, Stage
 from surfaces.modes import MODES, draw, draw_contours, draw_floor
@@ -25,6 +25,7 @@ from surfaces.shape.sampling import Axis, Function, Interval, Table
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
 from surfaces.space.transforms import Point, apply
+from surfaces.space.view import View
 from surfaces.systems.colors import Ramp
 from surfaces.systems.pen import System
 from surfaces.ticks import ticks
@@ -55,18 +56,27 @@ class Plot:
     picture: Picture
     """What was drawn."""
 
+    @property
+    def view(self) -> View:
+        """The way of points (x, y, z) to the screen in one matrix, and the eye's direction."""
+        return View.of(self.transform, self.mapping)
+
     def project(self, points: ArrayLike) -> Doubles:
         """Where points (x, y, z), shape (..., 3), appear: the paper's triples (x', y', z)."""
-        return apply(points, self.picture.view.screen)
+        return apply(self._around(points), self.picture.view.screen)
 
     def unproject(self, triples: ArrayLike) -> Doubles:
         """The points (x, y, z) of triples (x', y', z), shape (..., 3)."""
-        return apply(triples, self.picture.view.back)
+        return apply(triples, self.picture.view.back) + middle(self.box)
 
     def depth(self, points: ArrayLike) -> Doubles:
         """How near points (..., 3) are: of two on one pixel, the greater number is the nearer."""
-        near: Doubles = np.asarray(points, dtype=np.float64) @ self.picture.view.eye
+        near: Doubles = self._around(points) @ self.picture.view.eye
         return near
+
+    def _around(self, points: ArrayLike) -> Doubles:
+        """Points as the picture counts them, from the middle of the box."""
+        return np.asarray(points, dtype=np.float64) - middle(self.box)
 
     def pick(self, px: float, py: float) -> Point | None:
         """The nearest point (x, y, z) of the surface seen at a pixel, or None beside it.
@@ -75,7 +85,10 @@ class Plot:
         surface seen on its edge, narrower than two pixels.
         """
         point = self.picture.pick(px, py)
-        return None if point is None else (float(point[0]), float(point[1]), float(point[2]))
+        if point is None:
+            return None
+        x, y, z = (point + middle(self.box)).tolist()
+        return x, y, z
 
 
 def surface(
@@ -175,13 +188,17 @@ def surface(
     )
     grids = _grids(f, x, y, n, z)
     stage = look.stage(mode, _around(grids), grids[0].z.shape, transform, mapping)
-    shown = fields(color, grids, stage.transform)
-    picture = HeightPicture(stage.easel, grids, shown)
+    shown = fields(color, grids, stage.moved)
+    picture = HeightPicture(
+        stage.easel,
+        tuple(grid.around(stage.origin) for grid in grids),
+        tuple(one.around(stage.origin) for one in shown),
+    )
     on_surface, on_floor = (_levels(wanted, stage.heights) for wanted in (contours, floor))
     with stage.surroundings(shown[0].limits):
-        draw_floor(picture, on_floor, stage.frame.far[2], stage.heights)
+        draw_floor(picture, stage.above_origin(on_floor), stage.floor)
         draw(picture, mode)
-        draw_contours(picture, on_surface)
+        draw_contours(picture, stage.above_origin(on_surface))
     return _plot(stage, picture, shown[0].limits)
 
 
@@ -264,7 +281,7 @@ def parametric(
     sheet = Sheet.sample(f, u, v, n)
     stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping)
     shown = sheet.field(color)
-    picture = SheetPicture(stage.easel, sheet, shown)
+    picture = SheetPicture(stage.easel, sheet.around(stage.origin), shown)
     with stage.surroundings(shown.limits):
         painter.MODES[mode](picture)
     return _plot(stage, picture, shown.limits)

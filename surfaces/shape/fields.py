@@ -37,6 +37,13 @@ class Field:
             value = (value * (high - low) + (low - lowest)) / ((highest - lowest) or 1.0)
         return Field(np.nan_to_num(value), limits, self.quantity)
 
+    def around(self, origin: Doubles) -> "Field":
+        """The same for a surface whose coordinates are counted from a point, (3,)."""
+        quantity = self.quantity
+        if quantity is None:
+            return self
+        return replace(self, quantity=lambda points: quantity(points + origin))
+
     def at(self, points: Doubles, beside: Doubles) -> Doubles:
         """The values at points (m, 3); where only the grid knows them, those of nodes beside, (m,).
 

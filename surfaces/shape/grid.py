@@ -166,6 +166,18 @@ class Grid:
             joined &= ~((np.minimum(z1, z2) == low) & (np.maximum(z1, z2) == high))
         return joined
 
+    def around(self, origin: Doubles) -> Grid:
+        """The same surface with its coordinates counted from a point, (3,)."""
+        x, y, z = origin.tolist()
+        limits, value = self.limits, self.value
+        return Grid(
+            self.x - x,
+            self.y - y,
+            self.z - z,
+            None if limits is None else (limits[0] - z, limits[1] - z),
+            None if value is None else lambda across, along: value(across + x, along + y) - z,
+        )
+
     def loose_ends(self, every: int) -> tuple[Doubles, Bools]:
         """Where lines of a mesh go on from their last node to the rim of a hole.
 

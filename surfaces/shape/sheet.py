@@ -47,6 +47,10 @@ class Sheet:
             raise ValueError(f"f has no finite point on u = {u!r}, v = {v!r}")
         return cls(us, vs, points)
 
+    def around(self, origin: Doubles) -> "Sheet":
+        """The same surface with its coordinates counted from a point, (3,)."""
+        return Sheet(self.u, self.v, self.points - origin)
+
     def field(self, color: str | Function) -> Field:
         """The field that `color` asks for: "z", or a function of u and v.
 

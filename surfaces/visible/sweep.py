@@ -36,6 +36,8 @@ EDGE_ON = 1.5
 NO_HEIGHT = 0.1
 # A shear that moves no row by more than this many pixels is a rounding error.
 NO_SHIFT = 0.01
+# Nodes this near to even places, in cells, count as even: so they are when far from zero.
+EVEN = 1e-4
 # Rows shift sheared columns by parts of a pixel: a column for every third of one is near enough.
 PHASES = 3
 
@@ -130,8 +132,8 @@ class Sweep:
         """Whether that is the last one of the grid."""
         self._order = slice(None, None, -1 if self.reversed else 1)
         self.s, self.t = (grid.x, grid.y)[k][self._order], (grid.x, grid.y)[j]
-        steps = np.diff(self.t)
-        self._even = bool(np.ptp(steps) < 1e-6 * steps.mean())
+        even = np.linspace(self.t[0], self.t[-1], len(self.t))
+        self._even = bool(np.abs(self.t - even).max() < EVEN * (even[1] - even[0]))
         # Unsheared, heights move a point less than a pixel along u: take their mean.
         self._u = to_u[3] + to_u[2] * (low + high) / 2, to_u[k], to_u[j]
         # Heights from 0 to 1: what is large about them stays in double precision.

@@ -246,7 +246,7 @@ def test_the_far_corner_is_hidden_by_the_box(turn: float) -> None:
     mapping = Mapping()
     view = View.of(rotation((1, 2, 3), turn), mapping)
     low, high = np.array((-1.0, -2.0, -3.0)), np.array((1.0, 2.0, 3.0))
-    far = Frame(Pen(Canvas(9, 9)), view, low, high).far
+    far = Frame(Pen(Canvas(9, 9)), view, low, high, np.zeros(3)).far
     corners = np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, -1).T
     assert far @ view.eye == pytest.approx((corners @ view.eye).min())
 
@@ -404,7 +404,7 @@ def test_depth_grows_toward_the_eye(point: Any, step: float) -> None:
     plot = surface(
         lambda x, y: x, **SQUARE, n=1, transform=rotation((1, 2, 3), 1), on=Canvas(40, 30)
     )
-    eye = plot.picture.view.eye / np.linalg.norm(plot.picture.view.eye)
+    eye = plot.view.eye / np.linalg.norm(plot.view.eye)
     nearer = np.array(point) + step * eye
     assert plot.project(nearer)[:2] == pytest.approx(plot.project(point)[:2], abs=1e-9)
     assert plot.depth(nearer) > plot.depth(point)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from surfaces import FIGURES, Figure, affine, compose, rotation, scaling, surface
-from surfaces.arrays import Doubles
+from surfaces.arrays import Doubles, middle
 from surfaces.systems.colors import UNDER, UPPER
 from surfaces.visible.pictures import HeightPicture
 from tests.surfaces.raycast import Canvas, Cast, cast, edges
@@ -28,7 +28,7 @@ def both(f: Any, x: Any, y: Any, size: tuple[int, int], **how: Any) -> tuple[Any
     plot = surface(f, x, y, on=canvas, **how)
     low, high = plot.box
     more = 0.05 * (high[2] - low[2])  # between the nodes f may be a little beyond them
-    view = plot.picture.view
+    view = plot.view
     z = float(low[2] - more), float(high[2] + more)
     return plot, canvas, cast(f, x, y, z, view.screen, view.eye, *size)
 
@@ -125,7 +125,7 @@ def test_a_level_plane_is_where_it_should_be(view: str) -> None:
     """It has no height to shear along, but it lies at one."""
     canvas = Canvas(200, 150)
     plot = surface(lambda x, y: 0 * x + 5, (-2, 1), (0, 1), n=8, transform=VIEWS[view], on=canvas)
-    seen = plot.picture.view
+    seen = plot.view
     rays = cast(lambda x, y: 0 * x + 5, (-2, 1), (0, 1), (4, 6), seen.screen, seen.eye, 200, 150)
     assert ((canvas.array > 0) != rays.hit).sum() <= 0.003 * canvas.array.size
     assert rays.hit.sum() > 1000
@@ -145,7 +145,7 @@ def test_a_mesh_shows_the_lines_that_rays_see(view: str) -> None:
     lit = sum(lit[i : i + 240, j : j + 320] for i in range(3) for j in range(3)) > 0
     assert isinstance(plot.picture, HeightPicture)
     grid = plot.picture.grids[0]
-    nodes = grid.points[::every, ::every].reshape(-1, 3)
+    nodes = grid.points[::every, ::every].reshape(-1, 3) + middle(plot.box)
     x, y = np.floor(plot.project(nodes)[:, :2].T + 0.5).astype(int)
     near = np.hypot(*(rays.point[y, x] - nodes)[:, :2].T) < 0.02
     clear = rays.hit[y, x] & ~edges(rays.hit)[y, x]
