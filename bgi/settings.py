@@ -13,7 +13,6 @@ from bgi.constants import (
     SOLID_LINE,
     TOP_TEXT,
 )
-from bgi.fonts.layout import SIZES, Scale
 from bgi.raster.patterns import SOLID_ROWS
 
 
@@ -26,16 +25,16 @@ class pointtype(NamedTuple):
 
 @dataclass(slots=True)
 class linesettingstype:
-    """What getlinesettings() returns: style 0..4, its sixteen bits, thickness 1 or 3."""
+    """What getlinesettings() returns: style 0..4, the sixteen bits given, thickness 0..3."""
 
     linestyle: int = SOLID_LINE
-    upattern: int = 0xFFFF
+    upattern: int = 0
     thickness: int = NORM_WIDTH
 
 
 @dataclass(slots=True)
 class fillsettingstype:
-    """What getfillsettings() returns: pattern 0..12 and colour."""
+    """What getfillsettings() returns: pattern 0..12 and the colour given."""
 
     pattern: int
     color: int
@@ -92,10 +91,8 @@ class Settings:
     view: viewporttype
     x: int = 0
     y: int = 0
-    fill_rows: bytes = SOLID_ROWS
     user_rows: bytes = SOLID_ROWS
     line: linesettingstype = field(default_factory=linesettingstype)
-    user_scale: Scale = SIZES[4]
     text: textsettingstype = field(default_factory=textsettingstype)
     writemode: int = COPY_PUT
 

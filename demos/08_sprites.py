@@ -60,9 +60,15 @@ def mask(image: Image) -> Image:
 
 
 def put(x: int, y: int, image: Image) -> None:
-    """Cover the picture with a figure, but not with what is around the figure."""
-    putimage(x, y, mask(image), AND_PUT)
-    putimage(x, y, image, OR_PUT)
+    """Cover the picture with a figure, but not with what is around the figure.
+
+    Of an image that sticks out at a side putimage() puts nothing, so only what is seen is given.
+    """
+    left, right = max(0, -x), min(image.width, WIDTH - x)
+    if left < right:
+        seen = Image(image.array[:, left:right], image.colors)
+        putimage(x + left, y, mask(seen), AND_PUT)
+        putimage(x + left, y, seen, OR_PUT)
 
 
 # The operators, one by one

@@ -30,11 +30,13 @@ def stands_for_itself(case):
     return case["group"] != "console" and not left_over
 
 
-def play(case):
+def play(case, before=()):
     """Make a case's calls from a fresh initgraph on; returns the page and what the calls answered.
 
-    An exception is an answer like any other.
+    The calls `before` are made first, in a graphics mode of their own.
     """
+    if before:
+        play({**case, "calls": before})
     assert bgi.initgraph(case["driver"], case["gmode"], str(FONTS)) == (
         case["driver"],
         case["gmode"],
@@ -65,9 +67,9 @@ def as_written(answer):
     return [item for value in values for item in (value if isinstance(value, list) else [value])]
 
 
-def compared(case):
+def compared(case, before=()):
     """What we draw and what the case expects within its region, and our answers to its queries."""
-    page, answers = play(case)
+    page, answers = play(case, before)
     x0, y0, x1, y1 = case["region"]
     region = slice(y0, y1 + 1), slice(x0, x1 + 1)
     asked = {number: answers[number] for number in case["results"]}

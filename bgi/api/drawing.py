@@ -119,18 +119,16 @@ def setlinestyle(style: Number, pattern: Number, width: Number) -> None:
     Args:
         style: SOLID_LINE, DOTTED_LINE, CENTER_LINE, DASHED_LINE or USERBIT_LINE.
         pattern: sixteen bits for USERBIT_LINE, the lowest drawn first; 1 draws, 0 leaves a gap.
-        width: NORM_WIDTH (1) or THICK_WIDTH (3).
+        width: NORM_WIDTH (1) or THICK_WIDTH (3); 0 and 2 are drawn like 1.
 
-    graphresult() says -11, and nothing changes, for any other style or width.
+    graphresult() says -11, and nothing changes, for any other style or width. (On CGA and Hercules
+    the highest bit is drawn first, and lines run to the right, not downwards.)
     """
     current.screen.setlinestyle(style, pattern, width)
 
 
 def getlinesettings() -> linesettingstype:
-    """Return line style, its sixteen bits and the width, as setlinestyle() takes them.
-
-    Source: graphics.h; chosen: the bits of a predefined style are its own.
-    """
+    """Return line style, pattern and width as setlinestyle() was given them: 0, 0, 1 at first."""
     return current.screen.getlinesettings()
 
 

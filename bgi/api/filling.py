@@ -26,16 +26,17 @@ def setfillstyle(pattern: Number, color: Number) -> None:
     """Choose pattern and colour of fills.
 
     Args:
-        pattern: EMPTY_FILL (0), SOLID_FILL (1) ... CLOSE_DOT_FILL (11), or USER_FILL (12).
-        color: 0..getmaxcolor().
+        pattern: EMPTY_FILL (0), SOLID_FILL (1) ... CLOSE_DOT_FILL (11); a pattern of your own is
+            set by setfillpattern().
+        color: 0..getmaxcolor(); more bits than the mode has are cut off.
 
-    graphresult() says -11, and nothing changes, for any other number.
+    graphresult() says -11, and nothing changes, for any other pattern.
     """
     current.screen.setfillstyle(pattern, color)
 
 
 def getfillsettings() -> fillsettingstype:
-    """Return fill pattern (12 after setfillpattern) and colour."""
+    """Return fill pattern (12 after setfillpattern) and colour, as given."""
     return current.screen.getfillsettings()
 
 
@@ -82,8 +83,10 @@ def bar3d(
     """Fill a box, outline it, and draw its right side and top in depth.
 
     Args:
-        left, top, right, bottom: two opposite corners, relative to the viewport.
+        left, top, right, bottom: two opposite corners, relative to the viewport. One below 0 counts
+            as the right or the lower one, as in the original.
         depth: how far the back lies to the right, in pixels, and 3/4 of that up; 0 draws no side.
+            Of a negative one the back lies far above the screen.
         topflag: 1 to draw the top, 0 to leave room for a bar on top of it.
 
     Outlined as by line(); side and top are not filled. Arrays draw many.
@@ -103,7 +106,8 @@ def fillpoly(
         points: [(x, y), ...], an array of shape (k, 2), or a flat list x, y, x, y, ...; shape
             (n, k, 2) means n polygons. As in C: the number of points, followed by `flat`.
         fill: the fill colour, or n of them; that of setfillstyle() if None.
-        color: the outline's colour, or n of them; the drawing colour if None; 0 draws none.
+        color: the outline's colour, or n of them; the drawing colour if None; 0 draws none (16,
+            though, draws it in index 0).
 
     Even-odd rule; back at its first point the figure ends, and the next point begins another.
     Rows are filled from the topmost to the one above the lowest, both ends included, so that a
@@ -121,7 +125,7 @@ def floodfill(x: Numbers, y: Numbers, border: Numbers) -> None:
         border: the colour that stops the filling; any other colour is painted over.
 
     Spreads up, down, left and right, within the viewport (with clipping off, the screen). What
-    looks filled already stops it too, as in the original, but its shape may be anything: there is
-    no limit of memory.
+    looks filled already stops it too, as in the original, and a way on is not looked for in the
+    first and the last column. But its shape may be anything: there is no limit of memory.
     """
     current.screen.floodfill(x, y, border)

@@ -61,9 +61,10 @@ def putimage(
         op: COPY_PUT; XOR_PUT, OR_PUT, AND_PUT, which combine it with what is there; or NOT_PUT, its
             complement.
 
-    Not clipped by the viewport, only at the edges of the screen (chosen: the original is said to
-    drop images that stick out sideways). graphresult() says -11 for another op; ValueError for too
-    few bytes.
+    Not clipped by the viewport. Nothing is drawn if any part would lie left of the screen, above it
+    or right of it; only its bottom edge cuts an image off, as in the original. In a window of
+    initwindow() every edge does, as in WinBGIm. graphresult() says -11 for another op; ValueError
+    for too few bytes.
     """
     current.screen.putimage(left, top, image, op)
 

@@ -140,13 +140,14 @@ def setcolor(color: Number) -> None:
     """Set the colour of lines, outlines and text.
 
     Args:
-        color: 0..getmaxcolor(); more bits than the mode has are cut off. 0 is the background.
+        color: 0..getmaxcolor(); more bits than the mode has are cut off, on CGA and Hercules a
+            larger one means the largest. 0 is the background.
     """
     current.screen.setcolor(color)
 
 
 def getcolor() -> int:
-    """Return the drawing colour, getmaxcolor() at first."""
+    """Return the drawing colour as given (the low byte), getmaxcolor() at first."""
     return current.screen.getcolor()
 
 
@@ -155,7 +156,8 @@ def setbkcolor(color: Number) -> None:
 
     Args:
         color: a colour whose look index 0 takes; 0 is black. On CGA any of the 16; in CGA's
-            two-colour mode it is the foreground that changes, as on the hardware.
+            two-colour mode it is the foreground that changes, as on the hardware. An unknown one is
+            ignored.
 
     Pixels of index 0 stay index 0.
     """
@@ -175,7 +177,8 @@ def setpalette(index: Number, color: Number) -> None:
         color: a hardware colour: 0..63 on EGA and VGA (EGA_RED, EGA_YELLOW, ...; not YELLOW), and
             0..15 on CGA, where only index 0 can change.
 
-    graphresult() says -11, and nothing changes, for anything else.
+    An index that is not there, and -1, change nothing; of a hardware colour the low byte counts.
+    graphresult() says -11 on the 8514, which takes setrgbpalette() only.
     """
     current.screen.setpalette(index, color)
 
@@ -186,13 +189,13 @@ def setallpalette(palette: palettetype | Sequence[Number]) -> None:
     Args:
         palette: a palettetype, or hardware colours for colour 0, 1, ...; -1 leaves one as it is.
 
-    graphresult() says -11, and nothing changes, if any of them is illegal.
+    Each is set as by setpalette().
     """
     current.screen.setallpalette(palette)
 
 
 def getpalette() -> palettetype:
-    """Return the hardware colours in use: size 16 on EGA and VGA, 1 on CGA."""
+    """Return the palette: 16 hardware colours, of which CGA shows only the first."""
     return current.screen.getpalette()
 
 
@@ -214,7 +217,8 @@ def setrgbpalette(index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -
             which is 20 for BROWN and 56..63 for DARKGRAY..WHITE; on the 8514 the colour itself.
         red, green, blue: 0..63 on the VGA, 0..255 (upper six bits) on the 8514.
 
-    Arrays mix many. graphresult() says -11, and nothing changes, on other adapters.
+    Of an index the low byte counts. Arrays mix many. graphresult() says -11, and nothing changes,
+    on other adapters.
     """
     current.screen.setrgbpalette(index, red, green, blue)
 

@@ -12,8 +12,8 @@ from bgi.constants import (
     VGA,
     VGAHI,
     grFileNotFound,
-    grInvalidDriver,
     grInvalidMode,
+    grNotDetected,
     grOk,
 )
 from bgi.kernel.arguments import Number, whole
@@ -47,8 +47,9 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
         gm: one of the driver's modes, VGAHI for one (640x480 in 16 colours).
         path: where Borland's drivers and fonts used to lie, such as "C:\\\\TC\\\\BGI"; any will do.
 
-    Returns the driver and mode in use. An unknown driver returns (-4, gm) and graphresult() says
-    -4; an unknown mode returns (gd, gm) and graphresult() says -10; no screen opens then. A second
+    Returns the driver and mode in use. An unknown driver returns (-3, gm), a negative one (-2, gm),
+    and graphresult() says the same; an unknown mode returns (gd, gm) and graphresult() says -10; no
+    screen opens then. A second
     initgraph goes on in the same window. Raises BGIError if the window cannot be opened.
     """
     driver, number = whole("gd", gd), whole("gm", gm)
@@ -57,6 +58,9 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     if driver == DETECT:
         driver, number = KERNEL.drivers.autodetect() or detectgraph()
     mode = KERNEL.drivers.find(driver, number)
+    name = KERNEL.drivers.name(driver)
+    if name is not None:
+        KERNEL.result.driver_file = f"{name}.BGI"
     if mode is not None:
         current.open_screen(mode)
         current.screen.path = path
@@ -65,9 +69,8 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     if KERNEL.drivers.mode_range(driver) != (-1, -1):
         KERNEL.result.set(grInvalidMode)
         return driver, number
-    name = KERNEL.drivers.name(driver)
-    failure = grInvalidDriver if name is None else grFileNotFound
-    KERNEL.result.set(failure, f"{name}.BGI")
+    failure = grFileNotFound if driver > 0 else grNotDetected
+    KERNEL.result.set(failure)
     return failure, number
 
 
@@ -112,15 +115,12 @@ def getmoderange(driver: Number) -> tuple[int, int]:
     Args:
         driver: CGA ... PC3270, or CURRENT_DRIVER (-1) for the one in use.
 
-    (-1, -1) for an unknown driver, and graphresult() says -4. Works before initgraph.
+    (-1, -1) for an unknown driver. Works before initgraph.
     """
     number = whole("driver", driver)
     if number == CURRENT_DRIVER:
         number = current.reachable().mode.driver
-    found = KERNEL.drivers.mode_range(number)
-    if found == (-1, -1):
-        KERNEL.result.set(grInvalidDriver)
-    return found
+    return KERNEL.drivers.mode_range(number)
 
 
 def graphresult() -> int:
@@ -150,7 +150,7 @@ def installuserdriver(name: str, detect: Detect | None = None) -> int:
             to 1024x768; there are no files behind other names.
         detect: called by initgraph(DETECT); it returns the mode to use, or a negative number.
 
-    Returns the driver's number, 11 or more, or -11 when the ten places are taken.
+    Returns the driver's number, 16 or more, or -11 when the ten places are taken.
     """
     if not isinstance(name, str):
         raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")

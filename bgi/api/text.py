@@ -27,9 +27,11 @@ def settextstyle(font: Number, direction: Number, charsize: Number) -> None:
     Args:
         font: DEFAULT_FONT (0), TRIPLEX_FONT (1) ... BOLD_FONT (10), or a number from
             installuserfont() or registerbgifont().
-        direction: HORIZ_DIR (0) or VERT_DIR (1), which reads upwards.
-        charsize: 1..10. The built-in font is enlarged by that factor; the stroked fonts have their
-            own size at 4. USER_CHAR_SIZE (0) takes setusercharsize()'s factors.
+        direction: HORIZ_DIR (0) or VERT_DIR (1), which reads upwards. Any other one lays the
+            characters of the built-in font on their backs.
+        charsize: 1..10. The built-in font is enlarged by that factor (up to 31, of a larger number
+            its low five bits count); the stroked fonts have their own size at 4. USER_CHAR_SIZE
+            (0) takes setusercharsize()'s factors.
 
     A font file is looked for in initgraph's path, in the current folder, then among those that come
     with this package. If it cannot be had, graphresult() says why (-8 not found, -13 not a font,
@@ -51,7 +53,7 @@ def settextjustify(horiz: Number, vert: Number) -> None:
 
 
 def setusercharsize(multx: Number, divx: Number, multy: Number, divy: Number) -> None:
-    """Stretch stroked fonts freely, at once.
+    """Stretch stroked fonts freely, at once; graphdefaults() and initgraph() leave it so.
 
     Args:
         multx, divx: width, times multx / divx of size 4.
@@ -63,7 +65,7 @@ def setusercharsize(multx: Number, divx: Number, multy: Number, divy: Number) ->
 
 
 def gettextsettings() -> textsettingstype:
-    """Return font, direction, size (0 after setusercharsize) and justification."""
+    """Return font, direction and size as given (0 after setusercharsize), and justification."""
     return current.screen.gettextsettings()
 
 
@@ -85,8 +87,9 @@ def outtextxy(x: Number, y: Number, text: str | bytes) -> None:
         text: a str or bytes; a number raises TypeError (write str(number)).
 
     In the drawing colour; leaves the current position. In the built-in font a character that does
-    not fit into the viewport whole is left out; with clipping off, the whole text is left out if
-    any part of it would leave the screen. Stroked text is drawn by thin solid lines, each clipped.
+    not fit into the viewport whole (with clipping off, on the screen) is left out, and all of a
+    level text that begins left of the screen. Stroked text is drawn by thin solid lines, each
+    clipped.
     """
     current.screen.outtextxy(x, y, text)
 

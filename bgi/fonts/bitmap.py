@@ -21,7 +21,13 @@ def _glyphs() -> NDArray[np.bool_]:
 
 
 @lru_cache(maxsize=256)
-def mask(text: bytes, size: int) -> NDArray[np.bool_]:
-    """The pixels of a string: True where it is drawn; every glyph pixel is size x size."""
-    line = _glyphs()[np.frombuffer(text, np.uint8)].transpose(1, 0, 2).reshape(CELL, -1)
-    return line.repeat(size, axis=0).repeat(size, axis=1)
+def mask(text: bytes, across: int, down: int, turned: bool = False) -> NDArray[np.bool_]:
+    """The pixels of a string: True where it is drawn; every glyph pixel is across x down.
+
+    Turned: each glyph lies on its back, in its own place.
+    """
+    glyphs = _glyphs()[np.frombuffer(text, np.uint8)]
+    if turned:
+        glyphs = np.rot90(glyphs, axes=(1, 2))
+    line = glyphs.transpose(1, 0, 2).reshape(CELL, -1)
+    return line.repeat(down, axis=0).repeat(across, axis=1)

@@ -25,12 +25,11 @@ _BLOCK = struct.Struct("<cHxBHBbbb5x")  # '+', count, first, strokes' offset, sc
 
 
 class FontError(ValueError):
-    """A font cannot be loaded: `code` is Borland's error number, `file` the file's name."""
+    """A font cannot be loaded: `code` is Borland's error number."""
 
-    def __init__(self, text: str, code: int = grInvalidFont, file: str = "") -> None:
+    def __init__(self, text: str, code: int = grInvalidFont) -> None:
         super().__init__(text)
         self.code = code
-        self.file = file
 
 
 class Operation(NamedTuple):

@@ -2,8 +2,9 @@
 
 Every coordinate is multiplied, divided, and truncated toward zero, on its own. The pen advances
 after each character by the character's truncated width, but `textwidth` truncates only the sum:
-drawn text can be a little narrower than it says. Vertical text is the same turned by 90 degrees
-counter-clockwise, so that it reads upward.
+drawn text can be a little narrower than it says. A character without strokes does not move the pen,
+although `textwidth` counts it; a blank is one movement. Vertical text is the same turned by 90
+degrees counter-clockwise, so that it reads upward.
 """
 
 from functools import lru_cache
@@ -13,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.constants import CENTER_TEXT, LEFT_TEXT, RIGHT_TEXT, TOP_TEXT
+from bgi.constants import CENTER_TEXT, RIGHT_TEXT, TOP_TEXT
 from bgi.fonts.chr import StrokedFont
 
 
@@ -70,7 +71,10 @@ def segments(
 
 def _segments(font: StrokedFont, text: bytes, scale: Scale, vertical: bool) -> NDArray[np.int64]:
     glyphs = [_glyph(font, code, scale) for code in text]
-    widths = [_scaled(font.width(code), scale.mx, scale.dx) for code in text]
+    widths = [
+        _scaled(font.width(code), scale.mx, scale.dx) if font.operations(code) else 0
+        for code in text
+    ]
     lines = np.concatenate([_NOTHING, *glyphs])
     starts = np.array([0, *accumulate(widths)][:-1], dtype=np.int64)
     lines[:, ::2] += starts.repeat([len(glyph) for glyph in glyphs])[:, np.newaxis]
@@ -107,9 +111,11 @@ def anchor(
     below, so that a gap stays above the capitals. That is the kernel's rule.
     """
     width, height = textwidth(font, text, scale), textheight(font, scale)
+    back = height if vertical else width
+    across = {CENTER_TEXT: 1 - _scaled(back, 1, 2), RIGHT_TEXT: -back}.get(horiz, 0)
     if vertical:
-        return _part(height, horiz, LEFT_TEXT), _part(width, vert, TOP_TEXT)
-    return -_part(width, horiz, RIGHT_TEXT), _part(height, vert, TOP_TEXT)
+        return height + across, _part(width, vert, TOP_TEXT)
+    return across, _part(height, vert, TOP_TEXT)
 
 
 def _part(length: int, justification: int, whole: int) -> int:

@@ -71,7 +71,12 @@ class FontTable:
                 return _open(found, file)
         if not folder and stem in STANDARD:
             return _shipped(stem)
-        raise FontError(f"Font file not found ({file})", grFontNotFound, file)
+        raise FontError(f"Font file not found ({file})", grFontNotFound)
+
+    def file(self, number: int) -> str:
+        """The name of a font's file, "" for a number that no font has."""
+        known = 1 <= number <= len(self._names)
+        return os.path.split(self._names[number - 1])[1].upper() + _EXTENSION if known else ""
 
     def _number(self, name: str) -> int:
         """The number of a name, which joins the table if there is room, or -11."""
@@ -98,9 +103,9 @@ def _open(entry: os.DirEntry[str], file: str) -> StrokedFont:
         status = os.stat(entry.path)
         return _parsed(os.path.abspath(entry.path), status.st_mtime_ns, status.st_size)
     except FontError as error:
-        raise FontError(f"Invalid font file ({file}): {error}", error.code, file) from None
+        raise FontError(f"Invalid font file ({file}): {error}", error.code) from None
     except OSError as error:
-        raise FontError(f"{file} cannot be read: {error}", grIOerror, file) from None
+        raise FontError(f"{file} cannot be read: {error}", grIOerror) from None
 
 
 @lru_cache(maxsize=32)

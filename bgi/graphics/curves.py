@@ -43,7 +43,7 @@ class Curves(Pen):
             else:
                 outline = ellipses.outline(0, 360, radius, ry, self.mode.width)
                 KERNEL.curve = x, y, outline.ends
-                self.page.curve(x + self._dx, y + self._dy, outline, self.settings.color)
+                self.page.curve(x + self._dx, y + self._dy, outline, self._curve_ink)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
 
@@ -119,14 +119,14 @@ class Curves(Pen):
         elif start != end:
             outline = ellipses.outline(start, end, rx, ry, self.mode.width)
             ends = outline.ends
-            self.page.curve(cx, cy, outline, self.settings.color)
+            self.page.curve(cx, cy, outline, self._curve_ink)
         KERNEL.curve = x, y, ends
 
     def _thick_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Lines from degree to degree around an absolute point; they know the write mode."""
         if not ellipses.drawable(rx, ry):
             return
-        color = self.settings.color
+        color = self._ink
         corners = [(x + dx, y + dy) for dx, dy in ellipses.thick_points(start, end, rx, ry)]
         for side in polygons.edges(polygons.paths(corners)):
             for strand in lines.strands(*side):
@@ -143,9 +143,7 @@ class Curves(Pen):
 
     def _fillellipse(self, x: int, y: int, rx: int, ry: int) -> None:
         steps = ellipses.quadrant(rx, ry)
-        self.page.fill_symmetric(
-            x + self._dx, y + self._dy, steps, self.settings.fill.color, self.settings.fill_rows
-        )
+        self.page.fill_symmetric(x + self._dx, y + self._dy, steps, self._fill_ink, self._fill_rows)
         self._elliptic_arc(x, y, 0, 360, rx, ry)
 
     def pieslice(
@@ -188,7 +186,7 @@ class Curves(Pen):
         KERNEL.curve = x, y, ends
         if not ellipses.drawable(rx, ry):
             return
-        fill, color = self.settings.fill.color, self.settings.color
+        fill, color = self._fill_ink, self._ink
         cx, cy = x + self._dx, y + self._dy
         for first, last in ellipses.quarters(start, end):
             arc = [(cx + dx, cy + dy) for dx, dy in ellipses.arc(first, last, rx, ry)]

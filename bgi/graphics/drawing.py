@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.constants import NORM_WIDTH, SOLID_LINE, THICK_WIDTH, USERBIT_LINE, grError
+from bgi.constants import SOLID_LINE, THICK_WIDTH, USERBIT_LINE, grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import (
     Number,
@@ -20,7 +20,6 @@ from bgi.kernel.arguments import (
 )
 from bgi.kernel.state import KERNEL
 from bgi.raster import polygons, spans
-from bgi.raster.patterns import LINE_PATTERNS
 from bgi.settings import linesettingstype
 
 
@@ -33,17 +32,14 @@ class Drawing(Pen):
         """Set line style, user pattern and width; -11 and no change if either is unknown."""
         number, bits = whole("style", style), whole("pattern", pattern) & 0xFFFF
         thickness = whole("width", width)
-        known = SOLID_LINE <= number <= USERBIT_LINE and thickness in (NORM_WIDTH, THICK_WIDTH)
-        if not known:
+        if SOLID_LINE <= number <= USERBIT_LINE and 0 <= thickness <= THICK_WIDTH:
+            self.settings.line = linesettingstype(number, bits, thickness)
+            self._use_line_settings()
+        else:
             KERNEL.result.set(grError)
-            return
-        if number != USERBIT_LINE:
-            bits = LINE_PATTERNS[number]
-        self.settings.line = linesettingstype(number, bits, thickness)
-        self._use_line_settings()
 
     def getlinesettings(self) -> linesettingstype:
-        """Line style, its sixteen bits, thickness."""
+        """Line style, pattern and thickness as given."""
         return replace(self.settings.line)
 
     def setwritemode(self, mode: Number) -> None:
@@ -89,13 +85,13 @@ class Drawing(Pen):
             and color is None
         ):
             dx, dy = self._dx, self._dy
-            self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self.settings.color)
+            self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
         elif any(is_array(value) for value in (x1, y1, x2, y2, color)):
             shade = self.settings.color if color is None else color
             ends = broadcast(x1=x1, y1=y1, x2=x2, y2=y2, color=shade)
             dx, dy = self._dx, self._dy
             x1, y1, x2, y2, colors = ends
-            self._segments((x1 + dx, y1 + dy, x2 + dx, y2 + dy), colors & self._mask)
+            self._segments((x1 + dx, y1 + dy, x2 + dx, y2 + dy), self._index(colors))
         else:
             self._each(self.line, x1=x1, y1=y1, x2=x2, y2=y2, color=color)
 
@@ -128,7 +124,7 @@ class Drawing(Pen):
             and color is None
         ):
             dx, dy = self._dx, self._dy
-            self._box(left + dx, top + dy, right + dx, bottom + dy, self.settings.color)
+            self._box(left + dx, top + dy, right + dx, bottom + dy, self._ink)
         else:
             self._each(self.rectangle, left=left, top=top, right=right, bottom=bottom, color=color)
 
@@ -141,10 +137,10 @@ class Drawing(Pen):
         corners = polygon_points(points, flat)
         if isinstance(corners, list):
             ink = self._one_color("color", color, self.settings.color)
-            self._sides(polygons.edges(polygons.paths(self._shifted(corners))), ink)
+            self._sides(polygons.edges(polygons.paths(self._shifted(corners))), self._index(ink))
         else:
             sides, real, _ = spans.edges_many(corners + self._origin)
             colors = self._colors("color", color, self.settings.color, len(corners))
             owners, which = np.nonzero(real.T)
             x1, y1, x2, y2 = (end[which, owners] for end in sides)
-            self._segments((x1, y1, x2, y2), colors[owners])
+            self._segments((x1, y1, x2, y2), self._index(colors)[owners])

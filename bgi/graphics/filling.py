@@ -14,7 +14,7 @@ from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import CHUNK, Number, Numbers, polygon_points, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
-from bgi.raster.patterns import EMPTY_ROWS, FILL_PATTERNS
+from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Point
 from bgi.raster.spans import NO_SPANS
 from bgi.settings import fillsettingstype
@@ -26,34 +26,31 @@ class Filling(Pen):
     # The fill pattern
 
     def setfillstyle(self, pattern: Number, color: Number) -> None:
-        """Set fill pattern and colour; -11 and no change if either is unknown.
-
-        USER_FILL selects the pattern last given to setfillpattern().
-        """
+        """Set fill pattern and colour; -11 and no change for an unknown pattern."""
         number, index = whole("pattern", pattern), whole("color", color)
-        if not (EMPTY_FILL <= number <= USER_FILL and 0 <= index <= self._mask):
+        if EMPTY_FILL <= number < USER_FILL:
+            self.settings.fill = fillsettingstype(number, index)
+            self._use_fill_settings()
+        else:
             KERNEL.result.set(grError)
-            return
-        self.settings.fill = fillsettingstype(number, index)
-        user = number == USER_FILL
-        self.settings.fill_rows = self.settings.user_rows if user else FILL_PATTERNS[number]
 
     def setfillpattern(self, pattern: bytes | Sequence[Number], color: Number) -> None:
         """Fill with eight rows of eight bits; -11 and no change for an unknown colour."""
         rows = _eight_rows(pattern)
         index = whole("color", color)
-        if not 0 <= index <= self._mask:
+        if 0 <= index <= self._mask:
+            self.settings.fill = fillsettingstype(USER_FILL, index)
+            self.settings.user_rows = rows
+            self._use_fill_settings()
+        else:
             KERNEL.result.set(grError)
-            return
-        self.settings.fill = fillsettingstype(USER_FILL, index)
-        self.settings.fill_rows = self.settings.user_rows = rows
 
     def getfillpattern(self) -> bytes:
         """The eight rows of the user's pattern, whatever pattern is in use."""
         return self.settings.user_rows
 
     def getfillsettings(self) -> fillsettingstype:
-        """Fill pattern and colour."""
+        """Fill pattern and colour as given."""
         return replace(self.settings.fill)
 
     # Boxes
@@ -74,16 +71,20 @@ class Filling(Pen):
             and type(bottom) is int
             and fill is None
         ):
-            self._bar(left, top, right, bottom, self.settings.fill.color)
+            self._bar(left, top, right, bottom, self._fill_ink)
         else:
             shade = self.settings.fill.color if fill is None else fill
-            self._each(self._bar, left=left, top=top, right=right, bottom=bottom, fill=shade)
+            call = self._bar_in_color
+            self._each(call, left=left, top=top, right=right, bottom=bottom, fill=shade)
 
-    def _bar(self, left: int, top: int, right: int, bottom: int, fill: int) -> None:
+    def _bar_in_color(self, left: int, top: int, right: int, bottom: int, fill: int) -> None:
+        self._bar(left, top, right, bottom, self._fill_index(fill))
+
+    def _bar(self, left: int, top: int, right: int, bottom: int, ink: int) -> None:
         x1, x2 = (left, right) if left <= right else (right, left)
         y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
         box = (x1 + self._dx, y1 + self._dy, x2 + self._dx, y2 + self._dy)
-        self.page.fill(box, fill & self._mask, self.settings.fill_rows)
+        self.page.fill(box, ink, self._fill_rows)
 
     def bar3d(
         self,
@@ -108,21 +109,35 @@ class Filling(Pen):
     def _bar3d(
         self, left: int, top: int, right: int, bottom: int, depth: int, topflag: int
     ) -> None:
-        x1, x2 = sorted((left + self._dx, right + self._dx))
-        y1, y2 = sorted((top + self._dy, bottom + self._dy))
-        fill, color = self.settings.fill.color, self.settings.color
-        if x2 - x1 > 1 and y2 - y1 > 1:
-            self.page.fill((x1 + 1, y1 + 1, x2 - 1, y2 - 1), fill, self.settings.fill_rows)
+        self._bar3d_front(left, top, right, bottom)
+        # The corners are sorted as unsigned numbers: one below 0 counts as the far one.
+        if (right < 0, right) < (left < 0, left):
+            left, right = right, left
+        if (bottom < 0, bottom) < (top < 0, top):
+            top, bottom = bottom, top
+        x1, y1, x2, y2 = left + self._dx, top + self._dy, right + self._dx, bottom + self._dy
+        color = self._ink
         self._box(x1, y1, x2, y2, color)
         if depth == 0:
             return
-        x3, raised = x2 + depth, (depth * 3) >> 2
+        # Three quarters of the depth, an unsigned number too: a negative one rises far away.
+        x3, raised = x2 + depth, (depth * 3 + (0x10000 if depth < 0 else 0)) >> 2
         self._segment(x2, y2, x3, y2 - raised, color)
         self._segment(x3, y2 - raised, x3, y1 - raised, color)
         if topflag:
             self._segment(x3, y1 - raised, x1 + depth, y1 - raised, color)
             self._segment(x1 + depth, y1 - raised, x1, y1, color)
             self._segment(x2, y1, x3, y1 - raised, color)
+
+    def _bar3d_front(self, left: int, top: int, right: int, bottom: int) -> None:
+        """Fill within the outline, if the viewport shows three pixels each way of the whole."""
+        x1, x2 = (left, right) if left <= right else (right, left)
+        y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
+        x1, y1, x2, y2 = x1 + self._dx, y1 + self._dy, x2 + self._dx, y2 + self._dy
+        box = self.page.box
+        if min(x2, box[2]) - max(x1, box[0]) >= 2 and min(y2, box[3]) - max(y1, box[1]) >= 2:
+            inside = x1 + 1, y1 + 1, x2 - 1, y2 - 1
+            self.page.fill(inside, self._fill_ink, self._fill_rows)
 
     # Polygons
 
@@ -152,16 +167,19 @@ class Filling(Pen):
                 self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
-        outline = self._fill_area(points, fill)
-        if color:  # an outline in colour 0 is not drawn
-            self._sides(polygons.edges(outline), color)
+        outline = self._fill_area(points, self._fill_index(fill))
+        if color:  # an outline in colour 0 is not drawn, though one in 16 is: as index 0
+            sides = polygons.edges(outline) or [(*point, *point) for point in points[:1]]
+            self._sides(sides, self._index(color))
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
     ) -> None:
         edges = spans.edges_many(np.concatenate([points, points[:, :1]], axis=1))
+        edges.real[0] |= ~edges.real.any(axis=0)  # a polygon of one point is that point
         drawn = edges.real & (colors != 0)
-        rows, box = self.settings.fill_rows, self.page.box
+        fills, colors = self._fill_index(fills), self._index(colors)
+        rows, box = self._fill_rows, self.page.box
         for part, found in spans.fill(edges, box[1], box[3]):
             owners, side = np.nonzero(drawn[:, part].T)
             owners += part.start
@@ -179,14 +197,8 @@ class Filling(Pen):
         self._each(self._floodfill, x=x, y=y, border=border)
 
     def _floodfill(self, x: int, y: int, border: int) -> None:
-        settings = self.settings
-        self.page.flood(
-            x + self._dx,
-            y + self._dy,
-            border & self._mask,
-            settings.fill.color,
-            settings.fill_rows,
-        )
+        x, y, border = x + self._dx, y + self._dy, border & self._mask
+        self.page.flood(x, y, border, self._fill_ink, self._fill_rows)
 
 
 def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:

@@ -59,14 +59,18 @@ class Images(State):
         return image
 
     def putimage(self, left: Number, top: Number, image: Image | Buffer, op: Number) -> None:
-        """Put an image on the active page."""
+        """Put an image on the active page, if only the bottom of the screen would cut it.
+
+        In a window, which is WinBGIm's, every edge may.
+        """
         x, y, operator = whole("left", left), whole("top", top), whole("op", op)
         if not isinstance(image, Image):
             image = Image.frombytes(image, self.mode.colors)
-        if COPY_PUT <= operator <= NOT_PUT:
-            self.page.combine(x + self._dx, y + self._dy, image.array, operator, self._mask)
-        else:
+        x, y = x + self._dx, y + self._dy
+        if not COPY_PUT <= operator <= NOT_PUT:
             KERNEL.result.set(grError)
+        elif self.mode.is_window or (x >= 0 and y >= 0 and x + image.width <= self.mode.width):
+            self.page.combine(x, y, image.array, operator, self._mask)
 
     def readimagefile(
         self,

@@ -46,10 +46,11 @@ class Pen(State):
         try:
             for numbers in calls:
                 if color is not None:
-                    self.settings.color = numbers.pop() & self._mask
+                    self._use_color(numbers.pop() & self._given_mask)
                 call(*numbers)
         finally:
-            self.settings.color = before
+            if color is not None:
+                self._use_color(before)
 
     # Lines
 
@@ -94,7 +95,7 @@ class Pen(State):
     def _fill_area(self, points: list[Point], fill: int) -> list[Path]:
         """Fill a polygon, which is closed first; returns its paths."""
         outline = polygons.paths([*points, *points[:1]])
-        rows = self.settings.fill_rows
+        rows = self._fill_rows
         _, top, _, bottom = self.page.box
         if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
             pass
@@ -116,11 +117,11 @@ class Pen(State):
         return [(x + dx, y + dy) for x, y in points] if dx or dy else points
 
     def _one_color(self, name: str, value: Numbers | None, default: int) -> int:
-        return default if value is None else whole(name, value) & self._mask
+        return default if value is None else whole(name, value) & self._given_mask
 
     def _colors(self, name: str, values: Numbers | None, default: int, count: int) -> NDArray[Any]:
-        """A colour for each of `count` shapes."""
-        array = whole_array(name, default if values is None else values) & self._mask
+        """A colour, as given, for each of `count` shapes."""
+        array = whole_array(name, default if values is None else values) & self._given_mask
         if array.ndim == 0 or array.shape == (count,):
             return np.broadcast_to(array, count)
         raise ValueError(f"{name} must be a number or {count} numbers, not of shape {array.shape}")

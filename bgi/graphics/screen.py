@@ -8,20 +8,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
-from bgi.constants import SOLID_LINE, THICK_WIDTH, grError
+from bgi.constants import SOLID_LINE, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
+from bgi.fonts.bitmap import CELL
 from bgi.fonts.chr import StrokedFont
 from bgi.kernel.arguments import Number, Numbers, broadcast, whole
 from bgi.kernel.modes import YASP, GraphicsMode
 from bgi.kernel.state import KERNEL
 from bgi.memory import rgb
 from bgi.memory.card import Card
+from bgi.memory.packedpage import PackedPage
 from bgi.memory.page import Page
 from bgi.memory.palette import Palette
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
-from bgi.raster.patterns import LINE_PATTERNS, line_mask
+from bgi.raster.patterns import (
+    FILL_PATTERNS,
+    LINE_PATTERNS,
+    SOLID_ROWS,
+    highest_first,
+    line_mask,
+    shifted_half,
+)
 from bgi.settings import Settings, palettetype, viewporttype
+
+_ENLARGEMENT_BITS = 31
+"""The bits of a character size that count for the built-in font."""
 
 
 class State:
@@ -43,10 +56,14 @@ class State:
     def enter(self, mode: GraphicsMode) -> None:
         """Set a mode: clears the pages, everything back to its default."""
         self.mode = mode
-        self._mask = mode.maxcolor if mode.pixel_bytes == 1 else rgb.MASK
+        indexed = mode.pixel_bytes == 1
+        self._mask = mode.maxcolor if indexed else rgb.MASK
+        self._given_mask = 0xFF if indexed else rgb.MASK
         size = mode.width, mode.height
         self.card.set_mode(*size, mode.pages, mode.pixel_bytes, mode.square)
-        self.pages = [Page(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
+        self._packed = mode.file.packed
+        kind = PackedPage if self._packed else Page
+        self.pages = [kind(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
         self.palette = Palette(mode, self.card.palette)
         self.aspect = mode.xasp, YASP
         self._active = 0
@@ -57,9 +74,12 @@ class State:
         """Settings, palette, viewport and current position as after initgraph."""
         self.settings = Settings.defaults(self.mode.maxcolor, self.mode.width, self.mode.height)
         self._font: StrokedFont | None = None
+        self._use_charsize(1)
         self.palette.reset()
         self._use_viewport()
         self._use_line_settings()
+        self._use_color(self.settings.color)
+        self._use_fill_settings()
 
     def _use_viewport(self) -> None:
         """Take over the viewport: its origin for all drawing, its box for the active page."""
@@ -73,11 +93,44 @@ class State:
     def _use_line_settings(self) -> None:
         """Take over line style, width and write mode, as the booleans that drawing asks for."""
         line = self.settings.line
-        self._pattern = line_mask(line.upattern)
+        user = line.linestyle == USERBIT_LINE
+        bits = line.upattern if user else LINE_PATTERNS[line.linestyle]
+        self._pattern = line_mask(highest_first(bits) if self._packed else bits)
         self._thick = line.thickness == THICK_WIDTH
         self._xor = bool(self.settings.writemode)
-        self._solid = line.upattern == LINE_PATTERNS[SOLID_LINE] and not self._xor
+        self._solid = bits == LINE_PATTERNS[SOLID_LINE] and not self._xor
         self._plain = self._solid and not self._thick
+
+    def _use_charsize(self, size: int) -> None:
+        """Take over a size for the built-in font: width and height of its characters."""
+        size = size & _ENLARGEMENT_BITS or 1
+        self._cell = CELL * size, CELL * (size + (self.mode.file.tall_text and size > 1))
+
+    def _use_color(self, color: int) -> None:
+        """Take over the drawing colour, as the indices that it is drawn in."""
+        self.settings.color = color
+        self._ink = self._curve_ink = self._index(color) if self._packed else color & self._mask
+        if self._packed and self.mode.colors == 2:  # where curves are drawn pixel by pixel
+            self._curve_ink = color & self._mask
+
+    def _use_fill_settings(self) -> None:
+        """Take over pattern and fill colour, as the rows and the index that areas are filled in."""
+        fill = self.settings.fill
+        rows = self.settings.user_rows if fill.pattern == USER_FILL else FILL_PATTERNS[fill.pattern]
+        self._fill_rows, self._fill_ink = rows, fill.color & self._mask
+        if self._packed:
+            self._fill_rows = shifted_half(rows) if self.mode.colors == 4 else rows
+            self._fill_ink = self._fill_index(fill.color)
+
+    def _index(self, color: Any) -> Any:
+        """The index that a colour, or an array of them, is drawn in."""
+        return clamped(color, self.mode.maxcolor) if self._packed else color & self._mask
+
+    def _fill_index(self, color: Any) -> Any:
+        """The index that areas are filled in: two packed colours have no pattern in colour 0."""
+        index = self._index(color)
+        two = self._packed and self.mode.colors == 2
+        return index | 1 if two and self._fill_rows != SOLID_ROWS else index
 
     # The screen
 
@@ -176,16 +229,19 @@ class State:
     # Colours and palette
 
     def setcolor(self, color: Number) -> None:
-        """Set the drawing colour, masked to the mode's depth."""
-        self.settings.color = whole("color", color) & self._mask
+        """Set the drawing colour; of an index the low byte is kept."""
+        number = color if type(color) is int else whole("color", color)
+        self._use_color(number & self._given_mask)
 
     def getcolor(self) -> int:
-        """The drawing colour."""
+        """The drawing colour as given."""
         return self.settings.color
 
     def setbkcolor(self, color: Number) -> None:
-        """Give index 0 the colour of entry `color`, at once, everywhere."""
-        self.palette.set_background(whole("color", color) & max(15, self._mask))
+        """Give index 0 the colour of entry `color`, at once, everywhere; ignored if unknown."""
+        number = whole("color", color)
+        if 0 <= number <= max(15, self._mask):
+            self.palette.set_background(number)
 
     def getbkcolor(self) -> int:
         """The number last given to setbkcolor."""
@@ -206,15 +262,15 @@ class State:
             KERNEL.result.set(grError)
 
     def setallpalette(self, palette: palettetype | Sequence[Number]) -> None:
-        """Set the first entries of the palette, -1 leaving one; -11 and nothing if any is bad."""
+        """Set the first entries of the palette, -1 leaving one; -11 where the adapter cannot."""
         given = palette.colors[: palette.size] if isinstance(palette, palettetype) else palette
         colors = [whole(f"palette[{i}]", color) for i, color in enumerate(given)]
-        if not self.palette.set_all({i: c for i, c in enumerate(colors) if c != -1}):
+        if not self.palette.set_all(dict(enumerate(colors))):
             KERNEL.result.set(grError)
 
     def getpalette(self) -> palettetype:
-        """The hardware colours of the palette."""
-        return palettetype(self.palette.size, self.palette.values[: self.palette.size])
+        """The values of the palette, of which CGA shows only the first."""
+        return palettetype(len(self.palette.values), list(self.palette.values))
 
     def setrgbpalette(self, index: Numbers, red: Numbers, green: Numbers, blue: Numbers) -> None:
         """Load registers of the VGA's DAC, or entries of the 8514's palette; else -11."""
@@ -242,3 +298,9 @@ class State:
     def getdrivername(self) -> str:
         """The name of the driver's file."""
         return KERNEL.drivers.name(self.mode.driver) or ""
+
+
+def clamped(color: Any, largest: int) -> Any:
+    """The low byte of a colour, or of an array of them, but at most the largest colour."""
+    low = color & 0xFF
+    return low - (low > largest) * (low - largest)

@@ -29,7 +29,7 @@ from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
 
 MAX_CHARSIZE = 10
-"""A larger size is taken as this one."""
+"""The largest size of a stroked font; what is larger, or negative, is drawn in this size."""
 
 MAX_FACTOR = 32767
 """The factors of setusercharsize() are 16-bit numbers."""
@@ -43,22 +43,18 @@ class Text(State):
     def settextstyle(self, font: Number, direction: Number, charsize: Number) -> None:
         """Choose font, direction and size; a font that cannot be had gives the built-in one."""
         number, way = whole("font", font), whole("direction", direction)
-        size = min(max(whole("charsize", charsize), USER_CHAR_SIZE), MAX_CHARSIZE)
+        size = whole("charsize", charsize)
         self._font = None
         if number != DEFAULT_FONT:
             try:
                 self._font = KERNEL.fonts.load(number, self.path)
             except FontError as error:
-                KERNEL.result.set(error.code, error.file)
-                number = DEFAULT_FONT
+                KERNEL.result.set(error.code)
+            KERNEL.result.font_file = KERNEL.fonts.file(number) or KERNEL.result.font_file
         style = self.settings.text
-        self.settings.text = textsettingstype(
-            number,
-            VERT_DIR if way == VERT_DIR else HORIZ_DIR,
-            size,
-            style.horiz,
-            style.vert,
-        )
+        known = DEFAULT_FONT if self._font is None else number
+        self.settings.text = textsettingstype(known, way, size, style.horiz, style.vert)
+        self._use_charsize(size)
 
     def settextjustify(self, horiz: Number, vert: Number) -> None:
         """Choose which point of a text its coordinates mean; -11 unless both are 0..2."""
@@ -76,7 +72,7 @@ class Text(State):
         if scale.dx == 0 or scale.dy == 0 or max(map(abs, scale)) > MAX_FACTOR:
             KERNEL.result.set(grError)
             return
-        self.settings.user_scale = scale
+        KERNEL.user_scale = scale
         self.settings.text.charsize = USER_CHAR_SIZE
 
     def gettextsettings(self) -> textsettingstype:
@@ -87,23 +83,22 @@ class Text(State):
 
     def _scale(self) -> Scale:
         size = self.settings.text.charsize
-        return self.settings.user_scale if size == USER_CHAR_SIZE else layout.SIZES[size]
-
-    def _cell(self) -> int:
-        return bitmap.CELL * max(1, self.settings.text.charsize)
+        if size == USER_CHAR_SIZE:
+            return KERNEL.user_scale
+        return layout.SIZES.get(size, layout.SIZES[MAX_CHARSIZE])
 
     def textwidth(self, text: str | bytes) -> int:
         """The width of a text in pixels."""
         font, codes = self._font, encode(text)
         if font is None:
-            return self._cell() * len(codes)
+            return self._cell[0] * len(codes)
         return layout.textwidth(font, codes, self._scale())
 
     def textheight(self, text: str | bytes) -> int:
         """The height of a text in pixels: the same for every text."""
         font = self._font
         encode(text)
-        return self._cell() if font is None else layout.textheight(font, self._scale())
+        return self._cell[1] if font is None else layout.textheight(font, self._scale())
 
     # Writing
 
@@ -123,36 +118,35 @@ class Text(State):
         elif self.settings.text.direction == VERT_DIR:
             self._write_upwards(left, top, codes)
         else:
-            self._write(left, top, codes)
+            self._write_level(left, top, codes)
 
-    def _write(self, x: int, y: int, text: bytes) -> None:
-        """Horizontal cells: a character that the viewport would cut is left out as a whole."""
-        style, cell = self.settings.text, self._cell()
-        x -= _share(cell * len(text), style.horiz, RIGHT_TEXT)
-        y -= cell - _share(cell, style.vert, TOP_TEXT)
+    def _write_level(self, x: int, y: int, text: bytes) -> None:
+        """Cells side by side; one that the viewport would cut is left out, and its room stays.
+
+        If the first one begins left of the screen, all are left out.
+        """
+        style, (width, height) = self.settings.text, self._cell
+        x -= _back(width * len(text), style.horiz, RIGHT_TEXT)
+        y -= height - _share(height, style.vert, TOP_TEXT)
         left, top, right, bottom = self.page.box
-        first = max(0, -((x - left) // cell))
-        last = max(first, min(len(text), (right + 1 - x) // cell))
-        if not top <= y <= bottom + 1 - cell:
-            last = first
-        # With clipping off, a text that does not fit on the screen as a whole is left out.
-        if first < last and (self.settings.view.clip or last - first == len(text)):
-            mask = bitmap.mask(text[first:last], cell // bitmap.CELL)
-            self.page.stamp(x + first * cell, y, mask, self.settings.color)
+        first, last = _whole_cells(x, width, len(text), left, right)
+        if x >= 0 and top <= y and y + height - 1 <= bottom and first < last:
+            shown, size = text[first:last], width // bitmap.CELL
+            mask = bitmap.mask(shown, size, height // bitmap.CELL, style.direction != HORIZ_DIR)
+            self.page.stamp(x + first * width, y, mask, self._ink)
 
     def _write_upwards(self, x: int, y: int, text: bytes) -> None:
-        """Vertical cells, cut pixel by pixel; RIGHT_TEXT is drawn like LEFT_TEXT: left of x."""
-        style, cell = self.settings.text, self._cell()
-        length = cell * len(text)
-        x -= cell // 2 if style.horiz == CENTER_TEXT else cell
+        """Cells on top of each other, the first one lowest; RIGHT_TEXT stands left of x, too."""
+        style, (width, height) = self.settings.text, self._cell
+        length = width * len(text)
+        x -= _back(height, style.horiz, style.horiz)
         y -= length - _share(length, style.vert, TOP_TEXT)
-        _, top, _, bottom = self.page.box
-        # The first character is the lowest: leave out what lies below and above the box.
-        first = max(0, (y + length - 1 - bottom) // cell)
-        last = min(len(text), -((top - y - length) // cell))
-        if first < last:
-            mask = np.rot90(bitmap.mask(text[first:last], cell // bitmap.CELL))
-            self.page.stamp(x, y + length - last * cell, mask, self.settings.color)
+        left, top, right, bottom = self.page.box
+        first, last = _whole_cells(y, width, len(text), top, bottom)
+        if left <= x and x + height - 1 <= right and first < last:
+            shown = text[len(text) - last : len(text) - first]
+            mask = bitmap.mask(shown, width // bitmap.CELL, height // bitmap.CELL)
+            self.page.stamp(x, y + first * width, np.rot90(mask), self._ink)
 
     def _write_strokes(self, font: StrokedFont, x: int, y: int, text: bytes) -> None:
         """Thin solid lines, each clipped on its own."""
@@ -163,7 +157,7 @@ class Text(State):
         if max(abs(x), abs(y)) > FAR:
             return
         x1, y1, x2, y2 = (strokes + np.array([x + dx, y + dy] * 2)).T
-        colors = np.broadcast_to(self.settings.color, len(strokes))
+        colors = np.broadcast_to(self._ink, len(strokes))
         self.page.line_many((x1, y1, x2, y2), colors, SOLID_MASK, self._xor)
 
 
@@ -172,3 +166,13 @@ def _share(length: int, justification: int, whole_at: int) -> int:
     if justification == CENTER_TEXT:
         return length // 2
     return length if justification == whole_at else 0
+
+
+def _back(length: int, justification: int, whole_at: int) -> int:
+    """How far across text begins before its point: centred it is a pixel less than half."""
+    return _share(length, justification, whole_at) - (justification == CENTER_TEXT)
+
+
+def _whole_cells(start: int, size: int, count: int, low: int, high: int) -> tuple[int, int]:
+    """Which of the cells in a row lie within low..high: the first, and the one after the last."""
+    return max(0, -((start - low) // size)), min(count, (high + 1 - start) // size)

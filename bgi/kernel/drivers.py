@@ -1,20 +1,20 @@
 """The kernel's driver table: which number means which driver, and which modes it has.
 
-The ten drivers of graphics.h have the numbers 1..10; installuserdriver() adds up to ten more. Of
-those only SVGA256 brings modes: the driver that gave Borland's programs 256 colours.
+The ten drivers of graphics.h have the numbers 1..10; installuserdriver() adds up to ten more, from
+16 on. Of those only SVGA256 brings modes: the driver that gave Borland's programs 256 colours.
 """
 
 from collections.abc import Callable
 from dataclasses import replace
 
-from bgi.constants import PC3270, grError, grInvalidDriver
+from bgi.constants import grError, grInvalidDriver
 from bgi.kernel import modes
 from bgi.kernel.modes import GraphicsMode
 
 Detect = Callable[[], int]
 """A driver's own detection: returns the mode to use, or a negative number without its adapter."""
 
-FIRST_INSTALLED = PC3270 + 1
+FIRST_INSTALLED = 16
 MAX_INSTALLED = 10
 _SIGNATURE = b"pk\x08\x08"
 _NAME_LENGTH = 8  # of a file in DOS
@@ -36,14 +36,15 @@ class DriverTable:
     def register(self, driver: str | bytes) -> int:
         """The first number of a driver by its file's name or bytes; -4 if it is not Borland's."""
         name = name_in_file(driver) if isinstance(driver, bytes) else driver
-        numbers = (number for number, known in modes.DRIVER_NAMES.items() if known == name)
+        numbers = (number for number, known in modes.DRIVERS.items() if known.name == name)
         return next(numbers, grInvalidDriver)
 
     def name(self, driver: int) -> str | None:
         """The name of a driver's file, None for an unknown number."""
         if 0 <= driver - FIRST_INSTALLED < len(self._installed):
             return list(self._installed)[driver - FIRST_INSTALLED]
-        return modes.DRIVER_NAMES.get(driver)
+        known = modes.DRIVERS.get(driver)
+        return known.name if known else None
 
     def find(self, driver: int, number: int) -> GraphicsMode | None:
         """The mode with that number of that driver, or None."""

@@ -13,6 +13,7 @@ from bgi.constants import (
     EGA,
     EGA64,
     EGAMONO,
+    EGAMONOHI,
     HERCMONO,
     IBM8514,
     MCGA,
@@ -23,6 +24,36 @@ from bgi.constants import (
 
 YASP = 10_000
 """The second number of every mode's aspect ratio: getaspectratio() returns xasp, YASP."""
+
+
+@dataclass(frozen=True, slots=True)
+class Driver:
+    """A .BGI file: its name, and how it draws where drivers differ (Turbo C++ 3.0, captured)."""
+
+    name: str
+    packed: bool = False
+    """Whether it packs several pixels into a byte. Such a driver draws lines to the right, others
+    draw them downwards; the highest bit of a line pattern is the first, not the lowest; a colour
+    that the mode lacks is the largest, where others take its low bits; fill patterns differ."""
+    tall_text: bool = False
+    """Whether the built-in font, enlarged, grows once more in height than in width."""
+
+
+_CGA = Driver("CGA", packed=True)
+_EGAVGA = Driver("EGAVGA")
+DRIVERS = {
+    CGA: _CGA,
+    MCGA: _CGA,
+    EGA: _EGAVGA,
+    EGA64: _EGAVGA,
+    EGAMONO: _EGAVGA,
+    IBM8514: Driver("IBM8514"),
+    HERCMONO: Driver("HERC", packed=True, tall_text=True),
+    ATT400: Driver("ATT"),
+    VGA: _EGAVGA,
+    PC3270: Driver("PC3270"),
+}
+"""The drivers by number; those that have not been studied draw like EGAVGA."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +73,7 @@ class GraphicsMode:
     palette: str
     """The name of its default palette in `bgi.memory.palette`."""
     name: str
-    """What getmodename() says."""
+    """What getmodename() says, blanks and all."""
 
     pixel_bytes: int = 1
     """4 in a window: an index, or a colour of its own as `bgi.memory.rgb` writes it."""
@@ -54,26 +85,36 @@ class GraphicsMode:
     def __post_init__(self) -> None:
         object.__setattr__(self, "maxcolor", self.colors - 1)
 
+    @property
+    def is_window(self) -> bool:
+        """Whether it is a window of initwindow()."""
+        return self.pixel_bytes == 4
+
+    @property
+    def file(self) -> Driver:
+        """The driver that draws in it; one that was installed draws like EGAVGA."""
+        return DRIVERS.get(self.driver, _EGAVGA)
+
 
 MODES = [
     # driver, mode, width, height, colours, pages, original, xasp, palette, name
     *(
-        GraphicsMode(d, m, 320, 200, 4, 2, 1, 8333, f"CGAC{m}", f"320 x 200 CGA {letter}{m}")
+        GraphicsMode(d, m, 320, 200, 4, 2, 1, 8333, f"CGAC{m}", f"320 x 200 CGA {letter}{m}  ")
         for d, letter in ((CGA, "C"), (MCGA, "C"), (ATT400, "P"))
         for m in range(4)
     ),
-    GraphicsMode(CGA, 4, 640, 200, 2, 2, 1, 4167, "CGAHI", "640 x 200 CGA"),
-    GraphicsMode(MCGA, 4, 640, 200, 2, 2, 1, 4167, "CGAHI", "640 x 200 CGA"),
-    GraphicsMode(MCGA, 5, 640, 480, 2, 2, 1, 10000, "CGAHI", "640 x 480 MCGA"),
+    GraphicsMode(CGA, 4, 640, 200, 2, 2, 1, 4167, "CGAHI", "640 x 200 CGA     "),
+    GraphicsMode(MCGA, 4, 640, 200, 2, 2, 1, 4167, "CGAHI", "640 x 200 CGA     "),
+    GraphicsMode(MCGA, 5, 640, 480, 2, 2, 1, 10000, "CGAHI", "640 x 480 MCGA    "),
     GraphicsMode(EGA, 0, 640, 200, 16, 4, 4, 4500, "EGA200", "640 x 200 EGA"),
     GraphicsMode(EGA, 1, 640, 350, 16, 2, 2, 7750, "EGA350", "640 x 350 EGA"),
     GraphicsMode(EGA64, 0, 640, 200, 16, 2, 1, 4500, "EGA200", "640 x 200 EGA"),
     GraphicsMode(EGA64, 1, 640, 350, 4, 2, 1, 7750, "EGA64HI", "640 x 350 EGA"),
-    GraphicsMode(EGAMONO, 0, 640, 350, 2, 4, 4, 7750, "MONO", "640 X 350 EGA MONO"),
+    GraphicsMode(EGAMONO, 3, 640, 350, 2, 4, 4, 7750, "MONO", "640 X 350 EGA MONO"),
     GraphicsMode(IBM8514, 0, 640, 480, 256, 2, 1, 10000, "IBM8514", "640 x 480  8514/A AI"),
     GraphicsMode(IBM8514, 1, 1024, 768, 256, 2, 1, 10000, "IBM8514", "1024 x 768 8514/A AI"),
     GraphicsMode(HERCMONO, 0, 720, 348, 2, 2, 2, 7500, "MONO", "720 x 348 HERCULES"),
-    GraphicsMode(ATT400, 4, 640, 200, 2, 2, 1, 4167, "CGAHI", "640 x 200 CGA"),
+    GraphicsMode(ATT400, 4, 640, 200, 2, 2, 1, 4167, "CGAHI", "640 x 200 CGA     "),
     GraphicsMode(ATT400, 5, 640, 400, 2, 2, 1, 8750, "CGAHI", "640 x 400 AT&T"),
     GraphicsMode(VGA, 0, 640, 200, 16, 4, 4, 4500, "EGA200", "640 x 200 EGA"),
     GraphicsMode(VGA, 1, 640, 350, 16, 2, 2, 7750, "EGA350", "640 x 350 EGA"),
@@ -94,21 +135,8 @@ SVGA256 = [
 ]
 """The modes of the well-known driver SVGA256.BGI, which installuserdriver() adds."""
 
-DRIVER_NAMES = {
-    CGA: "CGA",
-    MCGA: "CGA",
-    EGA: "EGAVGA",
-    EGA64: "EGAVGA",
-    EGAMONO: "EGAVGA",
-    IBM8514: "IBM8514",
-    HERCMONO: "HERC",
-    ATT400: "ATT",
-    VGA: "EGAVGA",
-    PC3270: "PC3270",
-}
-"""The driver files, without .BGI: what getdrivername() says."""
-
 _BY_NUMBER = {(mode.driver, mode.number): mode for mode in MODES}
+_BY_NUMBER[EGAMONO, EGAMONOHI] = _BY_NUMBER[EGAMONO, 3]  # to graphics.h it is 0, to the driver 3
 
 
 def window(width: int, height: int) -> GraphicsMode:

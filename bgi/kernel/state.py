@@ -8,7 +8,6 @@ from bgi.constants import (
     grError,
     grFileNotFound,
     grFontNotFound,
-    grInvalidDeviceNum,
     grInvalidDriver,
     grInvalidFont,
     grInvalidFontNum,
@@ -23,6 +22,7 @@ from bgi.constants import (
     grNotDetected,
     grOk,
 )
+from bgi.fonts.layout import Scale
 from bgi.fonts.table import FontTable
 from bgi.kernel.drivers import DriverTable
 
@@ -30,22 +30,23 @@ MESSAGES = {
     grOk: "No error",
     grNoInitGraph: "(BGI) graphics not installed",
     grNotDetected: "Graphics hardware not detected",
-    grFileNotFound: "Device driver file not found ({file})",
-    grInvalidDriver: "Invalid device driver file ({file})",
+    grFileNotFound: "Device driver file not found ({driver})",
+    grInvalidDriver: "Invalid device driver file ({driver})",
     grNoLoadMem: "Not enough memory to load driver",
     grNoScanMem: "Out of memory in scan fill",
     grNoFloodMem: "Out of memory in flood fill",
-    grFontNotFound: "Font file not found ({file})",
+    grFontNotFound: "Font file not found ({font})",
     grNoFontMem: "Not enough memory to load font",
     grInvalidMode: "Invalid graphics mode for selected driver",
     grError: "Graphics error",
     grIOerror: "Graphics I/O error",
-    grInvalidFont: "Invalid font file ({file})",
+    grInvalidFont: "Invalid font file ({font})",
     grInvalidFontNum: "Invalid font number",
-    grInvalidDeviceNum: "Invalid device number",
+    -16: "Invalid Printer Initialize",
+    -17: "Printer Module Not Linked",
     grInvalidVersion: "Invalid File Version Number",
 }
-"""Borland's sentences for its error codes; the file is the one that a font or driver lies in."""
+"""Borland's sentences for its error codes, with the last driver's file and the last font's."""
 
 
 class Result:
@@ -53,12 +54,12 @@ class Result:
 
     def __init__(self) -> None:
         self._code = grOk
-        self._file = ""
+        self.driver_file = ""
+        self.font_file = ""
 
-    def set(self, code: int, file: str = "") -> None:
-        """Remember `code` until somebody asks, and for its message the file it is about."""
+    def set(self, code: int) -> None:
+        """Remember `code` until somebody asks."""
         self._code = code
-        self._file = file or self._file
 
     def take(self) -> int:
         """Return the code and clear it, as graphresult() does."""
@@ -66,8 +67,9 @@ class Result:
         return code
 
     def message(self, code: int) -> str:
-        """Borland's sentence for an error code; an unknown code is quoted in it."""
-        return MESSAGES.get(code, f"Graphics error ({code})").format(file=self._file)
+        """Borland's sentence for an error code; an unknown one is quoted, as 16 bits unsigned."""
+        sentence = MESSAGES.get(code, f"Graphics error ({code & 0xFFFF})")
+        return sentence.format(driver=self.driver_file, font=self.font_file)
 
 
 class Kernel:
@@ -84,6 +86,8 @@ class Kernel:
         self.curve = 0, 0, ((0, 0), (0, 0))
         """For getarccoords(): the last curve's centre; from there, the ends of the last curve that
         told them."""
+        self.user_scale = Scale(1, 1, 1, 1)
+        """What setusercharsize() was given last."""
         self.bufsize = 4096
         """What setgraphbufsize() was given last, in bytes."""
         self.seed = 1

@@ -3,7 +3,8 @@
 Two words, width - 1 and height - 1, little-endian; then row after row, the first pixel in the
 highest bit; then an unused word. With 16 colours a row is four bit-planes one after another:
 intensity, red, green, blue. With 2, 4 or 256 colours its pixels are packed, 1, 2 or 8 bits each.
-Every plane of a row fills whole bytes. (A RIPscrip .ICN file is such a block.)
+Every plane of a row fills whole bytes; with 4 colours they are two for every eight pixels. (A
+RIPscrip .ICN file is such a block.)
 """
 
 from __future__ import annotations
@@ -29,8 +30,14 @@ def row_layout(colors: int) -> tuple[int, int]:
 
 def byte_size(width: int, height: int, colors: int) -> int:
     """The bytes that an image takes in Borland's layout."""
-    planes, bits = row_layout(colors)
-    return _HEADER.size + height * planes * (-(-width * bits // 8)) + len(_TRAILER)
+    planes, _ = row_layout(colors)
+    return _HEADER.size + height * planes * _plane_bytes(width, colors) + len(_TRAILER)
+
+
+def _plane_bytes(width: int, colors: int) -> int:
+    """The bytes of one plane of a row."""
+    _, bits = row_layout(colors)
+    return width if bits == 8 else bits * -(-width // 8)
 
 
 def _check_colors(colors: object) -> None:
@@ -92,7 +99,9 @@ class Image:
         every = self.array[:, :, None] >> shifts & 1  # (height, width, bit), highest first
         if planes > 1:
             every = every.transpose(0, 2, 1)  # plane by plane
-        rows = np.packbits(every.reshape(self.height, planes, -1), axis=2)
+        packed = np.packbits(every.reshape(self.height, planes, -1), axis=2)
+        rows = np.zeros((self.height, planes, _plane_bytes(self.width, self.colors)), np.uint8)
+        rows[:, :, : packed.shape[2]] = packed
         header = _HEADER.pack(self.width - 1, self.height - 1)
         return header + rows.tobytes() + _TRAILER
 

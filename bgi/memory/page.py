@@ -119,13 +119,17 @@ class Page:
         visible = lines.clip(*segment, self.box)
         if visible is None:
             return
-        place = lines.places(visible, self.width)
+        place = self._places(visible)
         if pattern is not SOLID_MASK:
             place = place[pattern[: len(place)]]
         if xor:  # no pixel occurs twice in one line
             self.flat[place] ^= color
         else:
             self.flat[place] = color
+
+    def _places(self, segment: lines.Segment) -> Ints:
+        """The pixels of a thin line within the clipping box, in drawing order."""
+        return lines.places(segment, 1, self.width)
 
     def line_many(self, segments: Segments, colors: Ints, pattern: Mask, xor: bool) -> None:
         """Thin lines one after another, each in its colour."""
@@ -141,12 +145,16 @@ class Page:
         x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
         lengths = np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1
         for part in lines.grouped(lengths, lines.CHUNK):
-            x, y, step, which = lines.trace_many((x1[part], y1[part], x2[part], y2[part]))
+            x, y, step, which = self._pixels_of((x1[part], y1[part], x2[part], y2[part]))
             place = y * self.width + x
             if pattern is not SOLID_MASK:
                 drawn = pattern[step]
                 place, which = place[drawn], which[drawn]
             yield place, kept[part][which]
+
+    def _pixels_of(self, segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
+        """The pixels of thin lines within the clipping box, as `lines.trace_many` returns them."""
+        return lines.trace_many(segments)
 
     # Boxes
 

@@ -8,7 +8,8 @@ value into red, green and blue:
   from bit 5 down; the large letters add two thirds of full light, the small ones one third. The
   200-line modes have 16 colours only: bit 4 is the intensity, bits 2..0 are R, G and B.
 * CGA: index 0 is any of 16 colours, the others are fixed by the mode. In its two-colour mode
-  setbkcolor() gives the *foreground* its colour, because that is what the hardware does.
+  setbkcolor() gives the *foreground* its colour, because that is what the hardware does. Its driver
+  keeps a palette of 16 values all the same, and takes any of them.
 * 8514/A: 256 entries, each loaded straight with RGB.
 """
 
@@ -83,6 +84,14 @@ DEFAULTS: dict[str, tuple[list[int], list[RGB]]] = {
 }
 
 
+_CHANGEABLE = {
+    **dict.fromkeys(("EGA350", "EGA200", "WINDOW"), (16, 63)),
+    **dict.fromkeys(("CGAC0", "CGAC1", "CGAC2", "CGAC3"), (1, 15)),
+    "EGA64HI": (4, 63),
+}
+"""How many indices setpalette() can give another look, and which bits of a value tell it."""
+
+
 class Palette:
     """The palette of one screen: index -> hardware value -> RGB, written through to the card."""
 
@@ -92,8 +101,11 @@ class Palette:
         self._has_dac = mode.driver == VGA or self.kind == "IBM8514"
         self._shown = shown
         self._shown[:] = 0
+        self._changeable, self._bits = _CHANGEABLE.get(self.kind, (0, 0))
         self._dac: list[RGB] = []
+        self._hardware: list[int] = []
         self.values: list[int] = []
+        """What getpalette() says; the adapter shows what it can of them."""
         self.background = 0
         self._load_dac()
         self.reset()
@@ -105,13 +117,18 @@ class Palette:
     def reset(self) -> None:
         """Give every index its default value again (graphdefaults); DAC registers keep theirs."""
         self.values = self.default
+        self._hardware = list(DEFAULTS[self.kind][0])
         self.background = 0
         if self.kind == "IBM8514":  # its palette *is* the DAC
             self._load_dac()
         self._show()
 
     def _show(self) -> None:
-        self._shown[: len(self.values)] = [self._dac[value] for value in self.values]
+        self._shown[: len(self._hardware)] = [self._dac[value] for value in self._hardware]
+
+    @property
+    def _has_palette(self) -> bool:
+        return self.is_ega or self.kind == "IBM8514"
 
     @property
     def is_ega(self) -> bool:
@@ -121,28 +138,29 @@ class Palette:
     @property
     def size(self) -> int:
         """What getpalettesize() says: only entries that can be changed count."""
-        return len(self.values) if self.is_ega or self.kind == "IBM8514" else 1
+        return len(self.values) if self._has_palette else 1
 
     @property
     def default(self) -> list[int]:
-        """The hardware values that the mode begins with."""
-        return list(DEFAULTS[self.kind][0])
-
-    def _may_set(self, index: int, value: int) -> bool:
-        if self.is_ega:
-            return 0 <= index < len(self.values) and 0 <= value <= 63
-        return self.kind.startswith("CGAC") and index == 0 and 0 <= value <= 15
+        """The values that the mode begins with."""
+        return list(DEFAULTS[self.kind][0]) if self._has_palette else list(range(16))
 
     def set(self, index: int, value: int) -> bool:
-        """Give `index` a hardware value; False, and nothing changes, where the adapter cannot."""
+        """Give `index` a value; False, and nothing changes, where the adapter cannot."""
         return self.set_all({index: value})
 
     def set_all(self, values: dict[int, int]) -> bool:
-        """Give several indices their values; False, and nothing changes, if any is illegal."""
-        if not all(self._may_set(index, value) for index, value in values.items()):
+        """Give several indices their values, of which the low byte counts; False on the 8514.
+
+        An index that the palette lacks is ignored, and -1 leaves an index as it is.
+        """
+        if self.kind == "IBM8514":
             return False
         for index, value in values.items():
-            self.values[index] = value
+            if 0 <= index < len(self.values) and value != -1:
+                self.values[index] = value & 0xFF
+                if index < self._changeable:
+                    self._hardware[index] = value & self._bits
         self._show()
         return True
 
@@ -150,30 +168,33 @@ class Palette:
         """What setbkcolor() does: index 0 takes the colour of entry `color`; nothing is redrawn."""
         self.background = color
         if rgb.is_rgb(color):
-            self._dac[_OWN], self.values[0] = rgb.split(color), _OWN
+            self._dac[_OWN] = rgb.split(color)
+            self._hardware[0] = self.values[0] = _OWN
         elif self.is_ega:
-            self.values[0] = self.values[color % len(self.values)] if color else 0
+            index = color % len(self.values)
+            self.values[0] = self.values[index] if color else 0
+            self._hardware[0] = self._hardware[index] if color else 0
         elif self.kind == "IBM8514":
             self._dac[0] = self._dac[color] if color else (0, 0, 0)
         elif self.kind == "CGAHI":  # the hardware colours the foreground; 0 leaves it
-            self.values[1] = color or self.values[1]
+            self._hardware[1] = color or self._hardware[1]
         elif self.kind.startswith("CGAC"):
-            self.values[0] = color
+            self._hardware[0] = self.values[0] = color
         self._show()
 
     def set_rgb(self, registers: Sequence[int], colors: Sequence[RGB]) -> bool:
-        """Load DAC registers; False if the adapter does not have them all: the others are loaded.
+        """Load DAC registers, of whose numbers the low byte counts; False if there are none.
 
         VGA components are 0..63; the 8514's are 0..255, of which the upper six bits count.
         """
+        if not self._has_dac:
+            return False
         shift = 2 if self.kind == "IBM8514" else 0
-        known = 256 if self._has_dac else 0
         for register, (red, green, blue) in zip(registers, colors, strict=True):
-            if 0 <= register < known:
-                self._dac[register] = (
-                    six_bits(red >> shift),
-                    six_bits(green >> shift),
-                    six_bits(blue >> shift),
-                )
+            self._dac[register & 0xFF] = (
+                six_bits(red >> shift),
+                six_bits(green >> shift),
+                six_bits(blue >> shift),
+            )
         self._show()
-        return all(0 <= register < known for register in registers)
+        return True

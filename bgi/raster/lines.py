@@ -112,16 +112,16 @@ def _moved(
     return x + ahead + toward_zero(down * dx, dy), y + down + toward_zero(ahead * dy, dx)
 
 
-def places(segment: Segment, width: int) -> Ints:
-    """The pixels of one thin line in drawing order, as places `y * width + x` on a page."""
+def places(segment: Segment, right: int, down: int) -> Ints:
+    """The pixels of one thin line in drawing order, as places `x * right + y * down` on a page."""
     x1, y1, x2, y2 = segment
     if y2 < y1:
         x1, y1, x2, y2 = x2, y2, x1, y1
     dx, dy = x2 - x1, y2 - y1
-    right = 1 if dx >= 0 else -1
-    n, m, along, across = abs(dx), dy, right, width
+    aside = right if dx >= 0 else -right
+    n, m, along, across = abs(dx), dy, aside, down
     if dy > n:
-        n, m, along, across = dy, n, width, right
+        n, m, along, across = dy, n, down, aside
     # The exact positions are multiples of 1 / 2n. Adding a half rounds them, adding 1 / 4n more
     # keeps the truncated step on the right side. (A step of 0 would make arange() empty.)
     length, one = n or 1, 1 << _FRACTION_BITS
@@ -129,7 +129,8 @@ def places(segment: Segment, width: int) -> Ints:
     place = np.arange(start, start + (n + 1) * step, step)
     place >>= _FRACTION_BITS
     place *= across
-    place += np.arange(y1 * width + x1, y1 * width + x1 + (n + 1) * along, along)
+    first = x1 * right + y1 * down
+    place += np.arange(first, first + (n + 1) * along, along)
     return place
 
 

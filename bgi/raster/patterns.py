@@ -1,9 +1,10 @@
 """Line styles and fill patterns: Borland's tables, and how their bits are read.
 
-A line pattern is sixteen bits, read from the lowest bit upward, one for each step along the line. A
+A line pattern is sixteen bits, one for each step along the line, read from the lowest bit upward. A
 fill pattern is eight rows of eight bits, the highest bit leftmost, anchored to the screen: the bit
 for a pixel is row `y & 7`, bit `0x80 >> (x & 7)` of its absolute coordinates, so that neighbouring
-fills join without a seam.
+fills join without a seam. (Of some drivers the first bit of a line is the highest, and the fills of
+some modes begin in the middle of a byte: then the bits are rearranged before they come here.)
 """
 
 from functools import lru_cache
@@ -38,6 +39,16 @@ SOLID_ROWS = FILL_PATTERNS[1]
 
 _MAX_LENGTH = 1 << 13
 """Pixels: more than a line has on any page."""
+
+
+def highest_first(pattern: int) -> int:
+    """The line pattern whose bits come in the other order."""
+    return int(f"{pattern:016b}"[::-1], 2)
+
+
+def shifted_half(rows: bytes) -> bytes:
+    """The fill pattern that begins four columns later."""
+    return bytes(row << 4 & 0xF0 | row >> 4 for row in rows)
 
 
 @lru_cache(maxsize=64)

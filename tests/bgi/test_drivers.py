@@ -12,7 +12,7 @@ import bgi
         (bgi.MCGA, (0, 5)),
         (bgi.EGA, (0, 1)),
         (bgi.EGA64, (0, 1)),
-        (bgi.EGAMONO, (0, 0)),
+        (bgi.EGAMONO, (3, 3)),
         (bgi.IBM8514, (0, 1)),
         (bgi.HERCMONO, (0, 0)),
         (bgi.ATT400, (0, 5)),
@@ -26,8 +26,8 @@ def test_getmoderange_works_before_initgraph(driver, modes):
 
 
 def test_getmoderange_of_the_current_and_of_unknown_drivers():
-    assert bgi.getmoderange(99) == (-1, -1)
-    assert bgi.graphresult() == bgi.grInvalidDriver
+    assert bgi.getmoderange(99) == bgi.getmoderange(0) == (-1, -1)
+    assert bgi.graphresult() == 0
     with pytest.raises(bgi.BGIError, match="not initialized"):
         bgi.getmoderange(bgi.CURRENT_DRIVER)
     bgi.initgraph(bgi.CGA, bgi.CGAHI)
@@ -36,9 +36,9 @@ def test_getmoderange_of_the_current_and_of_unknown_drivers():
 
 def test_svga256():
     driver = bgi.installuserdriver("SVGA256", None)
-    assert driver == 11
-    assert bgi.installuserdriver("svga256.bgi") == 11
-    assert bgi.initgraph(driver, 4) == (11, 4)
+    assert driver == 16
+    assert bgi.installuserdriver("svga256.bgi") == 16
+    assert bgi.initgraph(driver, 4) == (16, 4)
     assert (bgi.getmaxx(), bgi.getmaxy(), bgi.getmaxcolor()) == (1023, 767, 255)
     assert (bgi.getdrivername(), bgi.getmaxmode()) == ("SVGA256", 4)
     bgi.setrgbpalette(77, 252, 0, 0)
@@ -52,7 +52,7 @@ def test_svga256():
 def test_autodetection_asks_installed_drivers_first():
     bgi.installuserdriver("OTHER", lambda: -1)
     bgi.installuserdriver("SVGA256", lambda: 2)
-    assert bgi.initgraph(bgi.DETECT, 0) == (12, 2)
+    assert bgi.initgraph(bgi.DETECT, 0) == (17, 2)
     assert bgi.getmaxy() == 479
 
 
@@ -64,7 +64,7 @@ def test_a_driver_without_a_file():
 
 
 def test_the_driver_table_is_finite():
-    assert [bgi.installuserdriver(f"D{n}") for n in range(10)] == list(range(11, 21))
+    assert [bgi.installuserdriver(f"D{n}") for n in range(10)] == list(range(16, 26))
     assert bgi.installuserdriver("D10") == bgi.graphresult() == bgi.grError
     with pytest.raises(TypeError, match="name must be"):
         bgi.installuserdriver(5)

@@ -7,12 +7,17 @@ from bgi.settings import fillsettingstype
 from tests.pictures import points
 
 
-def test_setfillstyle_refuses(vga):
-    for pattern, color in [(13, 1), (-1, 1), (1, 16), (1, -1)]:
-        vga.setfillstyle(pattern, color)
+def test_setfillstyle_refuses_patterns_and_takes_any_colour(vga):
+    for pattern in (13, 12, -1):
+        vga.setfillstyle(pattern, 1)
         assert KERNEL.result.take() == -11
     vga.bar(0, 0, 1, 1)
     assert vga.getpixel(0, 0) == 15
+    for color, shown in [(16, 0), (255, 15), (-3, 13)]:
+        vga.setfillstyle(1, color)
+        assert vga.getfillsettings() == fillsettingstype(1, color)
+        vga.bar([0, 5], 0, [1, 6], 1)
+        assert vga.getpixel(0, 0) == vga.getpixel(6, 1) == shown
 
 
 def test_bar_is_anchored_to_the_screen(vga):
@@ -110,9 +115,62 @@ def test_a_pattern_of_ones_own(vga):
     assert vga.getfillsettings() == fillsettingstype(12, 5)
     vga.setfillstyle(3, 2)
     assert vga.getfillpattern() == rows  # whatever is in use
-    vga.setfillstyle(12, 4)
-    vga.bar(0, 0, 8, 7)
-    assert vga.getpixel(0, 0) == 4
+
+
+def test_an_outline_is_left_out_in_colour_0_alone(new_screen):
+    for color, left in [(0, 5), (16, 0), (256, 5)]:
+        one, many = new_screen(), new_screen()
+        corners = [(0, 0), (9, 0), (9, 9)]
+        for screen, figure in ((one, corners), (many, [corners])):
+            screen.setfillstyle(1, 5)
+            screen.fillpoly(figure, color=color)
+            assert screen.getpixel(4, 0) == left
+            assert screen.getpixel(7, 2) == 5
+
+
+def test_a_polygon_of_one_point_is_that_point(new_screen):
+    for corners in ([(3, 4)], [(3, 4)] * 2, [(3, 4)] * 5):
+        one, many = new_screen(), new_screen()
+        one.fillpoly(corners)
+        many.fillpoly([corners])
+        assert one.getpixel(3, 4) == many.getpixel(3, 4) == 15
+        assert one.page.array.sum() == many.page.array.sum() == 15
+
+
+def test_packed_pixels_have_their_own_patterns(new_screen):
+    four = new_screen(1, 0)
+    four.setfillstyle(3, 2)  # 01 02 04 ...: four columns further
+    four.bar(0, 0, 7, 1)
+    assert points(four) == {(3, 0), (2, 1)}
+    two = new_screen(1, 4)
+    two.setfillstyle(9, 0)  # a pattern in colour 0 is drawn in 1
+    two.bar(0, 0, 3, 0)
+    assert points(two) == {(0, 0), (1, 0)}
+    two.setfillstyle(1, 0)
+    two.bar(0, 0, 3, 0)
+    assert not points(two)
+
+
+def test_packed_pixels_take_the_largest_colour(new_screen):
+    four, two = new_screen(1, 0), new_screen(1, 4)
+    for screen in (four, two):
+        screen.setcolor(6)
+        screen.line(0, 0, 5, 0)
+        screen.circle(50, 50, 9)
+        screen.putpixel(0, 9, 6)
+    assert (four.getpixel(0, 0), four.getpixel(59, 50), four.getpixel(0, 9)) == (3, 3, 2)
+    assert (two.getpixel(0, 0), two.getpixel(59, 50), two.getpixel(0, 9)) == (1, 0, 0)
+
+
+def test_bar3d_sorts_its_corners_as_unsigned_numbers(vga):
+    vga.setviewport(100, 100, 300, 300, 0)
+    vga.bar3d(-10, 0, 20, 30, 8, 0)  # -10 counts as the far side: the depth hangs there
+    assert vga.getpixel(-2, 24) == vga.getpixel(-10, 30) == 15
+    assert vga.getpixel(28, 24) == 0
+    vga.cleardevice()
+    vga.bar3d(0, 0, 20, 30, -8, 1)  # a negative depth rises far above the screen
+    assert vga.getpixel(20, 29) == 15
+    assert vga.getpixel(12, 36) == 0
 
 
 def test_setfillpattern_refuses(vga):

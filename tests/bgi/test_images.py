@@ -130,9 +130,11 @@ def test_off_the_screen(vga):
     assert image.array[:5].max() == image.array[:, :5].max() == 0
     assert image.array[5:, 5:].min() == 15
     vga.cleardevice()
-    for x, y in [(-5, -5), (635, -5), (635, 475), (-5, 475), (10**20, 0), (0, -(10**20))]:
+    for x, y in [(-5, -5), (635, 0), (0, -1), (-1, 475), (10**20, 0), (0, -(10**20)), (0, 10**20)]:
         vga.putimage(x, y, image, bgi.COPY_PUT)
-    assert vga.page.array.sum() == 5 * 5 * 15
+    assert not vga.page.array.any()
+    vga.putimage(0, 472, image, bgi.COPY_PUT)  # only the bottom cuts it
+    assert vga.page.array.sum() == 5 * 3 * 15
     with pytest.raises(ValueError, match="too large"):
         vga.getimage(0, 0, 10**9, 10**9)
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from bgi import VGA, VGAHI
+from bgi import CGA, CGAC0, CGAHI, VGA, VGAHI
 from bgi.graphics import Graphics
 from bgi.graphics.pen import FEW
 from bgi.kernel.arguments import LIMIT
@@ -19,7 +19,7 @@ LEFT, TOP, RIGHT, BOTTOM = 40, 30, 139, 99
 near = st.integers(-60, 160)
 huge = st.one_of(near, st.integers(-(10**6), 10**6), st.integers(-(10**30), 10**30))
 far = st.one_of(st.integers(0, 479), st.integers(1 - LIMIT, LIMIT - 1), st.just(LIMIT - 1))
-color = st.integers(0, 15)
+color = st.integers(0, 40)
 quick = settings(
     deadline=None, max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
@@ -35,14 +35,18 @@ styles = st.tuples(
 )
 
 
-def screen(style=(0, 0, 1, 0, 1), viewport=True, background=True):
+# Drivers that draw differently: by planes, and packed in four colours and two
+modes = st.sampled_from([(VGA, VGAHI), (CGA, CGAC0), (CGA, CGAHI)])
+
+
+def screen(style=(0, 0, 1, 0, 1), viewport=True, background=True, mode=(VGA, VGAHI)):
     """A screen with a pattern on it, a viewport and styles."""
-    made = Graphics(find(VGA, VGAHI))
+    made = Graphics(find(*mode))
     if background:
-        made.page.flat[:] = np.arange(made.page.flat.size) % 13
-    line_style, pattern, width, mode, fill = style
+        made.page.flat[:] = np.arange(made.page.flat.size) % min(13, made.mode.colors)
+    line_style, pattern, width, write_mode, fill = style
     made.setlinestyle(line_style, pattern, width)
-    made.setwritemode(mode)
+    made.setwritemode(write_mode)
     made.setfillstyle(fill, 9)
     made.setcolor(14)
     if viewport:
@@ -59,12 +63,12 @@ def outside(made):
 
 @pytest.mark.parametrize("name", NUMBERS)
 @quick
-@given(data=st.data(), style=styles)
-def test_array_call_is_a_loop_of_calls(name, data, style):
+@given(data=st.data(), style=styles, mode=modes)
+def test_array_call_is_a_loop_of_calls(name, data, style, mode):
     rows = data.draw(
         st.lists(st.tuples(*[near] * NUMBERS[name]), min_size=1, max_size=12), label="calls"
     )
-    one, many = screen(style), screen(style)
+    one, many = screen(style, mode=mode), screen(style, mode=mode)
     for numbers in rows:
         getattr(one, name)(*numbers)
     getattr(many, name)(*np.array(rows).T)
@@ -73,10 +77,10 @@ def test_array_call_is_a_loop_of_calls(name, data, style):
 
 @pytest.mark.parametrize("name", ["line", "rectangle", "circle"])
 @quick
-@given(data=st.data(), style=styles)
-def test_array_of_colours_is_a_loop_of_setcolor(name, data, style):
+@given(data=st.data(), style=styles, mode=modes)
+def test_array_of_colours_is_a_loop_of_setcolor(name, data, style, mode):
     rows = data.draw(st.lists(st.tuples(color, *[near] * NUMBERS[name]), min_size=1, max_size=8))
-    one, many = screen(style), screen(style)
+    one, many = screen(style, mode=mode), screen(style, mode=mode)
     for ink, *numbers in rows:
         one.setcolor(ink)
         getattr(one, name)(*numbers)
@@ -91,13 +95,13 @@ coarse = st.tuples(st.integers(0, 9).map(lambda n: n * 11), st.integers(0, 9).ma
 
 
 @quick
-@given(style=styles, corners=st.integers(1, 6), data=st.data())
-def test_array_of_polygons_is_a_loop_of_calls(style, corners, data):
+@given(style=styles, corners=st.integers(1, 6), data=st.data(), mode=modes)
+def test_array_of_polygons_is_a_loop_of_calls(style, corners, data, mode):
     # Coarse points coincide often: paths close early, sides have no length.
     shape = st.lists(st.one_of(coarse, st.tuples(near, near)), min_size=corners, max_size=corners)
     shapes = data.draw(st.lists(st.tuples(shape, color, color), min_size=1, max_size=6))
     for call in ("fillpoly", "drawpoly"):
-        one, many = screen(style), screen(style)
+        one, many = screen(style, mode=mode), screen(style, mode=mode)
         for points, fill, ink in shapes:
             inks = {"fill": fill, "color": ink} if call == "fillpoly" else {"color": ink}
             getattr(one, call)(points, **inks)
@@ -271,6 +275,33 @@ def test_pygames_line_in_every_slope():
             made.line(50, 35, 50 + dx, 35 + dy)
             xs, ys, _, _ = trace_many(np.array([[50, 35, 50 + dx, 35 + dy]]).T)
             traced.putpixel(xs, ys, 14)
+            assert (made.page.array == traced.page.array).all(), (dx, dy)
+
+
+def rightward(x1, y1, x2, y2):
+    """A line as CGA.BGI draws it, by the rule itself: its pixels in order."""
+    if x1 >= x2:
+        x1, y1, x2, y2 = x2, y2, x1, y1
+    dx, dy, down = x2 - x1, abs(y2 - y1), 1 if y2 >= y1 else -1
+    n = max(dx, dy) or 1
+    for i in range(max(dx, dy) + 1):
+        across = (2 * min(dx, dy) * i + n) // (2 * n)
+        x, y = (i, across) if dx >= dy else (across, i)
+        yield x1 + x, y1 + y * down
+
+
+@pytest.mark.parametrize("pattern", [0xFFFF, 0x8001])
+def test_lines_of_cga_in_every_slope(pattern):
+    made = screen((4, pattern, 1, 0, 1), background=False, mode=(CGA, CGAHI))
+    traced = screen(background=False, mode=(CGA, CGAHI))
+    for dx in range(-20, 21):
+        for dy in range(-20, 21):
+            made.clearviewport()
+            traced.clearviewport()
+            made.line(50, 35, 50 + dx, 35 + dy)
+            for step, pixel in enumerate(rightward(50, 35, 50 + dx, 35 + dy)):
+                if pattern << step % 16 & 0x8000:  # the highest bit is the first
+                    traced.putpixel(*pixel, 1)
             assert (made.page.array == traced.page.array).all(), (dx, dy)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 import bgi
 from bgi import constants, current
-from bgi.kernel.modes import MODES
+from bgi.kernel.modes import MODES, find
 
 
 def test_initgraph_detects_vga():
@@ -34,7 +34,7 @@ def test_every_mode_opens_and_draws(mode):
 
 
 def test_modes_agree_with_the_constants():
-    """Every mode constant of graphics.h names a row of the table."""
+    """Every mode constant of graphics.h names a row of the table, EGAMONOHI by another number."""
     prefix = {
         "CGA": bgi.CGA,
         "MCGA": bgi.MCGA,
@@ -54,7 +54,8 @@ def test_modes_agree_with_the_constants():
         for suffix in suffixes
         if hasattr(constants, driver + suffix)
     }
-    assert named == {(mode.driver, mode.number) for mode in MODES}
+    assert {find(*pair) for pair in named} == set(MODES)
+    assert find(bgi.EGAMONO, bgi.EGAMONOHI).number == 3
 
 
 @pytest.mark.parametrize(
@@ -62,8 +63,8 @@ def test_modes_agree_with_the_constants():
     [
         (bgi.VGA, 3, (bgi.VGA, 3), bgi.grInvalidMode),
         (bgi.VGA, -1, (bgi.VGA, -1), bgi.grInvalidMode),
-        (99, 0, (bgi.grInvalidDriver, 0), bgi.grInvalidDriver),
-        (-7, 0, (bgi.grInvalidDriver, 0), bgi.grInvalidDriver),
+        (99, 0, (bgi.grFileNotFound, 0), bgi.grFileNotFound),
+        (-7, 0, (bgi.grNotDetected, 0), bgi.grNotDetected),
     ],
 )
 def test_impossible_modes(gd, gm, answer, code):
@@ -120,7 +121,12 @@ def test_error_messages_are_borlands():
     assert bgi.grapherrormsg(bgi.grOk) == "No error"
     assert bgi.grapherrormsg(bgi.grNoInitGraph) == "(BGI) graphics not installed"
     assert bgi.grapherrormsg(bgi.grInvalidMode) == "Invalid graphics mode for selected driver"
-    assert bgi.grapherrormsg(-99) == "Graphics error (-99)"
+    assert bgi.grapherrormsg(-99) == "Graphics error (65437)"
+    assert bgi.grapherrormsg(bgi.grInvalidDriver) == "Invalid device driver file ()"
+    bgi.initgraph(bgi.CGA, bgi.CGAHI)
+    assert bgi.grapherrormsg(bgi.grInvalidDriver) == "Invalid device driver file (CGA.BGI)"
+    bgi.settextstyle(bgi.GOTHIC_FONT, 0, 1)
+    assert bgi.grapherrormsg(bgi.grFontNotFound) == "Font file not found (GOTH.CHR)"
     assert bgi.graphresult() == 0
 
 

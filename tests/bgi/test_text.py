@@ -3,18 +3,28 @@
 import pytest
 
 import bgi
+from tests.pictures import points
 
 
 def test_text_is_cut_by_whole_characters(vga):
-    vga.setviewport(0, 0, 19, 7, 1)
+    vga.setviewport(10, 10, 29, 17, 1)
     vga.outtextxy(-3, 0, "AAA")
-    left = vga.page.array[:8, :5].any()
-    assert not left
-    assert vga.page.array[:8, 5:13].any()
-    assert not vga.page.array[:8, 13:].any()
+    drawn = points(vga)
+    assert {x for x, _ in drawn} <= set(range(15, 23))
+    assert drawn
     vga.cleardevice()
     vga.outtextxy(0, 1, "A")
-    assert not vga.page.array.any()
+    vga.outtextxy(-11, 0, "AAA")  # one that begins left of the screen is left out as a whole
+    assert not points(vga)
+    vga.settextstyle(0, 1, 1)
+    vga.outtextxy(8, -4, "AAA")
+    assert not points(vga)
+    vga.settextjustify(0, 0)
+    vga.outtextxy(8, 12, "AAA")  # of which the second has room
+    assert {y for _, y in points(vga)} <= set(range(10, 18))
+    vga.setviewport(10, 10, 29, 17, 0)
+    vga.outtextxy(8, 12, "AAA")
+    assert max(y for _, y in points(vga)) == 21
 
 
 def test_text_is_code_page_437(new_screen):
@@ -36,8 +46,10 @@ def test_bitmap_text_sizes_and_justification():
     bgi.initgraph()
     bgi.settextstyle(bgi.DEFAULT_FONT, bgi.HORIZ_DIR, 0)
     assert bgi.textwidth("abc") == 24
-    bgi.settextstyle(bgi.DEFAULT_FONT, bgi.HORIZ_DIR, 99)
-    assert bgi.textheight("abc") == 80
+    for size, height in {11: 88, 99: 24, 32: 8, -1: 248}.items():
+        bgi.settextstyle(bgi.DEFAULT_FONT, bgi.HORIZ_DIR, size)
+        assert bgi.textheight("abc") == height
+        assert bgi.gettextsettings().charsize == size
     bgi.settextstyle(bgi.DEFAULT_FONT, bgi.HORIZ_DIR, 2)
     bgi.settextjustify(bgi.RIGHT_TEXT, bgi.BOTTOM_TEXT)
     bgi.outtextxy(100, 100, "\xdb")  # a full block: '█' in code page 437 is 219

@@ -10,7 +10,7 @@ faces, EURO, BOLD and LITT were drawn for this project.
 import sys
 from pathlib import Path as File
 
-from bgi.fonts.chr import StrokedFont, encode
+from bgi.fonts.chr import Operation, StrokedFont, encode
 from bgi.fonts.table import STANDARD
 from tools.fonts import bold, euro, hershey, litt
 from tools.fonts.cp437 import ACCENTS, SMALL_ACCENTS, Face, complete
@@ -69,7 +69,11 @@ def build(name: str) -> StrokedFont:
         cap=metrics.cap,
         dec=metrics.dec,
         widths=tuple(face.widths[code] for code in codes),
-        strokes=tuple(operations(face.glyphs[code]) for code in codes),
+        # A character without strokes would not move the pen: a blank is one movement of it.
+        strokes=tuple(
+            operations(face.glyphs[code]) or (Operation(False, face.widths[code], 0),)
+            for code in codes
+        ),
     )
 
 

@@ -1,0 +1,31 @@
+"""The page of a driver that packs pixels into bytes, CGA.BGI or HERC.BGI: its lines run rightward.
+
+Where other drivers draw every line downwards, and a level one from its first end, these draw to the
+right, and an upright line from its second end: the same rule with x and y exchanged and the ends
+too (Turbo C++ 3.0, captured).
+"""
+
+from bgi.memory.page import Page
+from bgi.memory.sdl import pygame
+from bgi.raster import lines
+from bgi.raster.lines import Ints, Segment, Segments
+
+
+class PackedPage(Page):
+    """A page whose lines run rightward."""
+
+    def line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
+        """A thin solid line."""
+        visible = lines.clip(x1, y1, x2, y2, self.box)
+        if visible is not None:
+            left, right = sorted((visible[:2], visible[2:]))
+            pygame.draw.line(self._surface, color, right, left)
+
+    def _places(self, segment: Segment) -> Ints:
+        x1, y1, x2, y2 = segment
+        return lines.places((y2, x2, y1, x1), self.width, 1)
+
+    def _pixels_of(self, segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
+        x1, y1, x2, y2 = segments
+        y, x, step, line = lines.trace_many((y2, x2, y1, x1))
+        return x, y, step, line
