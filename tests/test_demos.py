@@ -87,13 +87,13 @@ class TestEveryDemo:
 
     def test_runs_as_a_file_from_any_folder(self, demo, tmp_path):
         shot = tmp_path / "shot.png"
-        run([demo.file], tmp_path, BGI_AFTER="0.3", BGI_SHOT=str(shot))
+        ran = run([demo.file], tmp_path, BGI_AFTER="0.3", BGI_SHOT=str(shot))
+        assert (ran.returncode, ran.stderr) == (0, "")
         assert_shows(shot, demo)
 
     def test_says_what_it_is_and_how_to_run_it(self, demo):
-        says, runs, shows = ast.get_docstring(ast.parse(demo.file.read_text("utf-8"))).split(
-            "\n\n"
-        )[:3]
+        docstring = ast.get_docstring(ast.parse(demo.file.read_text("utf-8")))
+        says, runs, shows = docstring.split("\n\n")[:3]
         assert says.endswith(".") and "\n" not in says
         assert runs.strip() == f"python demos/{demo.file.name}"
         assert shows.startswith("What it shows: ")
