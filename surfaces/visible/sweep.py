@@ -142,7 +142,7 @@ class Sweep:
         self._v = to_v[3] + to_v[2] * low, to_v[k], to_v[j], to_v[2] * tall
         self._rows = screen[3] + screen[2] * low, screen[k], screen[j], screen[2] * tall
         self._heights = low, tall
-        # Too flat on the screen for heights to tell: from line to line all strips rise, or all fall.
+        # Too flat on the screen for heights to tell: all strips rise from line to line, or fall.
         flat = view.eye[2] * self._v[1] * (1 if self.reversed else -1)
         up = -self._v[3] if reach.max() > NO_HEIGHT else flat
         self.rising_is_upper = bool(up > 0)
