@@ -19,7 +19,7 @@ from types import ModuleType, TracebackType
 
 from bgi import __version__, current
 from bgi.machine import display_exists
-from bgi.memory.sdl import pygame, quietly
+from bgi.memory.sdl import pygame, quietly, twins
 from bgi.monitor import ending
 from bgi.monitor.keyboard import parse_script
 from bgi.monitor.plan import note, parse_time, written
@@ -177,14 +177,19 @@ def _say_what_there_is() -> None:
         "bgi": __version__,
         "python": f"{platform.python_version()} ({platform.platform(terse=True)})",
         "numpy": _installed("numpy"),
-        "pygame": f"{pygame.version.ver}{' of pygame-ce' if hasattr(pygame, 'IS_CE') else ''}"
-        f" (SDL {'.'.join(map(str, pygame.get_sdl_version()))})",
+        "pygame": _pygame(),
         "pillow": _installed("pillow") or "not installed: no recording",
         "display": _display(),
         "sound": _sound(),
         "fonts": _fonts(),
     }.items():
         print(f"{name:8}  {value}")
+
+
+def _pygame() -> str:
+    maker = " of pygame-ce" if hasattr(pygame, "IS_CE") else ""
+    sdl = ".".join(map(str, pygame.get_sdl_version()))
+    return "; ".join(filter(None, (f"{pygame.version.ver}{maker} (SDL {sdl})", twins())))
 
 
 def _installed(package: str) -> str:

@@ -16,9 +16,10 @@ from bgi.constants import ALL_WINDOWS, CURRENT_WINDOW, NO_CURRENT_WINDOW
 from bgi.errors import BGIError, TimeIsUp
 from bgi.graphics import Graphics
 from bgi.kernel.modes import GraphicsMode
-from bgi.memory.card import Card
+from bgi.memory.card import CAPACITY, Card
 from bgi.monitor import choose
 from bgi.monitor.ending import follow_program, interrupt
+from bgi.monitor.protocol import TITLE
 
 
 class _Absent:
@@ -35,17 +36,19 @@ def _absent(error: Callable[[], BGIError]) -> Graphics:
     return cast(Graphics, _Absent(error))
 
 
-_NOT_LOADED = _absent(
-    lambda: BGIError("BGI Error: Graphics not initialized (use 'initgraph')"),
-)
+_NOT_LOADED = _absent(lambda: BGIError("BGI Error: Graphics not initialized (use 'initgraph')"))
 _TEXT_MODE = _absent(lambda: BGIError("BGI Error: Not in graphics mode"))
 
+# The program's own thread writes all of these. A monitor's thread writes `_reached` and `screen`,
+# too, when its window is lost (`_lost`): by single assignments, so that no lock is needed.
 screen: Graphics = _NOT_LOADED
+"""What a call reaches: the current screen, or a stand-in."""
 number: int = NO_CURRENT_WINDOW
 """Which screen is current."""
 _open: dict[int, Graphics] = {}
+"""The open screens by number; one in text mode or without its window is open, too."""
 _reached: dict[int, Graphics] = {}
-"""What a call to each open screen reaches: itself, or a stand-in."""
+"""What a call to each open screen reaches once it is current: itself, or a stand-in."""
 
 
 def loaded() -> Graphics | None:
@@ -69,12 +72,12 @@ def open_screen(mode: GraphicsMode) -> None:
         _reach(number, here)
 
 
-def open_window(mode: GraphicsMode, title: str = "pybgi") -> int:
+def open_window(mode: GraphicsMode, title: str = TITLE) -> int:
     """Open another screen with a monitor of its own, and make it the current one."""
     _follow_program()
     new = next(n for n in range(len(_open) + 1) if n not in _open)
     needed = mode.width * mode.height * mode.pages * mode.pixel_bytes
-    card = Card(max(needed, 2 * 1024 * 768))
+    card = Card(max(needed, CAPACITY))
     card.set_mode(mode.width, mode.height, mode.pages, mode.pixel_bytes, mode.square)
     monitor = choose(card, title, on_lost=lambda error: _lost(new, error))
     _open[new] = Graphics(mode, card, monitor)

@@ -1,4 +1,4 @@
-"""The one place that imports pygame: quietly, and with a word when two of it are installed.
+"""The one place that imports pygame: quietly, and with advice where it is broken.
 
 pygame and pygame-ce are twins that install the same folder `pygame`. Together they are a mixture,
 and uninstalling either breaks the other.
@@ -6,26 +6,29 @@ and uninstalling either breaks the other.
 
 import contextlib
 import os
-import warnings
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
-import pygame as pygame
+ADVICE = "type: pip uninstall -y pygame pygame-ce && pip install pygame-ce"
 
-__all__ = ["pygame", "quietly"]
+try:
+    import pygame as pygame
+    from pygame import Surface as _Surface  # noqa: F401  # gone when a twin has been uninstalled
+except ImportError as error:
+    if find_spec("pygame") is None:
+        raise
+    raise ImportError(f"pygame is there, but broken ({error}); {ADVICE}") from error
+
+__all__ = ["pygame", "quietly", "twins"]
 
 
 @contextlib.contextmanager
 def quietly() -> Iterator[None]:
     """Keep off the terminal what the system's libraries say when a device is not there."""
-    try:
-        kept = os.dup(2)
-    except OSError:  # the program runs without a standard error: nothing can be said
-        yield
-        return
-    nothing = os.open(os.devnull, os.O_WRONLY)
+    kept, nothing = os.dup(2), os.open(os.devnull, os.O_WRONLY)
     os.dup2(nothing, 2)
     try:
         yield
@@ -35,17 +38,13 @@ def quietly() -> Iterator[None]:
         os.close(nothing)
 
 
-def warn_of_twins(folder: Path) -> None:
-    """Warn when both distributions have been installed into `folder`."""
+def twins(folder: Path = Path(pygame.__file__).parents[1]) -> str:
+    """What is wrong, and what to type, if both pygames have been installed into `folder`; or "".
+
+    Asked for when something has gone wrong: it looks through the folder of all packages.
+    """
     # importlib.metadata could tell too, but it imports random and half the standard library, and
     # many a program has a random.py of its own beside it.
     if all(any(folder.glob(f"{name}-*-info")) for name in ("pygame", "pygame_ce")):
-        warnings.warn(
-            "pygame and pygame-ce are both installed and overwrite each other; "
-            "type: pip uninstall -y pygame pygame-ce && pip install pygame-ce",
-            RuntimeWarning,
-            stacklevel=2,
-        )
-
-
-warn_of_twins(Path(pygame.__file__).parents[1])
+        return f"pygame and pygame-ce are both installed and overwrite each other; {ADVICE}"
+    return ""

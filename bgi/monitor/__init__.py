@@ -17,6 +17,7 @@ from bgi.monitor.headless import Headless
 from bgi.monitor.keyboard import KeyQueue
 from bgi.monitor.plan import Plan
 from bgi.monitor.pointer import Mouse
+from bgi.monitor.protocol import TITLE
 from bgi.monitor.window import Window
 
 __all__ = ["Headless", "Monitor", "Window", "choose"]
@@ -65,7 +66,7 @@ class Monitor(Protocol):
 
 
 def choose(
-    card: Card, title: str = "pybgi", on_lost: Callable[[BGIError], None] = lambda error: None
+    card: Card, title: str = TITLE, on_lost: Callable[[BGIError], None] = lambda error: None
 ) -> Monitor:
     """The monitor that BGI_MONITOR names, or a window where there is a display.
 

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
-from bgi.memory.sdl import pygame
+from bgi.memory.sdl import pygame, twins
 from bgi.monitor.display import Display, free_name
 from bgi.monitor.inputs import Inputs
 from bgi.monitor.protocol import encode, receive
@@ -228,7 +228,7 @@ def main() -> None:
     try:
         child = Child(Card.attach(handle), Path(folder), inbox, output)
     except (pygame.error, ValueError) as error:
-        os.write(output, encode("failed", error))
+        os.write(output, encode("failed", "; ".join(filter(None, (str(error), twins())))))
         return
     pygame.key.set_repeat(500, 33)
     signal.signal(signal.SIGTERM, lambda number, frame: inbox.put(("close", "")))

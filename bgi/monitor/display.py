@@ -11,8 +11,8 @@ import numpy as np
 from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame, quietly
 from bgi.monitor import art
-from bgi.monitor.picture import Colours, Shape, fit, inside, largest, surface
-from bgi.monitor.plan import shot
+from bgi.monitor.picture import Colors, Shape, fit, inside, largest, shot, surface
+from bgi.monitor.protocol import TITLE
 
 NOTICE_SECONDS = 2.5  # how long the title says what has just happened
 
@@ -46,7 +46,7 @@ class Display:
         pygame.display.set_icon(art.picture(art.ICON, 4))
         self._arrow = art.picture(art.ARROW)
         self._scan_lines = os.environ.get("BGI_CRT") == "1"
-        self.set_title("pybgi")
+        self.set_title(TITLE)
         self._shape = Shape(640, 480)
         self._open()
         self.update()
@@ -69,7 +69,7 @@ class Display:
         self.presents += 1
         return True
 
-    def _paint(self, frame: Frame, palette: Colours) -> None:
+    def _paint(self, frame: Frame, palette: Colors) -> None:
         self._page.blit(surface(frame, palette), (0, 0))
         if self._pointer is not None:
             self._page.blit(self._arrow, self._pointer)

@@ -11,11 +11,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from bgi.memory import imagefile
 from bgi.memory.card import Frame
 from bgi.memory.matching import true_colors
 from bgi.memory.sdl import pygame
 
-Colours = npt.NDArray[np.uint8]
+Colors = npt.NDArray[np.uint8]
 Pixels = npt.NDArray[Any]
 
 
@@ -81,7 +82,7 @@ def pixels(frame: Frame) -> Pixels:
     return np.frombuffer(frame.pixels, kind).reshape(frame.height, frame.width)
 
 
-def surface(frame: Frame, palette: Colours) -> pygame.Surface:
+def surface(frame: Frame, palette: Colors) -> pygame.Surface:
     """The picture of a frame, one pixel for each of the frame's."""
     numbers, size = pixels(frame), (frame.width, frame.height)
     if frame.pixel_bytes == 4:
@@ -89,3 +90,8 @@ def surface(frame: Frame, palette: Colours) -> pygame.Surface:
     picture = pygame.image.frombuffer(frame.pixels, size, "P")
     picture.set_palette(palette.tolist())
     return picture
+
+
+def shot(frame: Frame, palette: Colors) -> bytes:
+    """A PNG file of a frame: its indices and palette, or its colours."""
+    return imagefile.png(pixels(frame), palette)

@@ -20,10 +20,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from bgi.errors import BGIError
-from bgi.memory import imagefile
-from bgi.memory.card import Card, Frame
+from bgi.memory.card import Card
 from bgi.monitor.keyboard import parse_script
-from bgi.monitor.picture import Colours, pixels
+from bgi.monitor.picture import shot
 from bgi.monitor.recorder import missing
 
 written: dict[str, bool] = {}
@@ -95,8 +94,3 @@ def note(file: str, failure: str = "") -> None:
     written[file] = not failure
     if failure:
         print(f"bgi: {file} was not written: {failure}", file=sys.stderr)
-
-
-def shot(frame: Frame, palette: Colours) -> bytes:
-    """A PNG file of a frame: its indices and palette, or its colours."""
-    return imagefile.png(pixels(frame), palette)

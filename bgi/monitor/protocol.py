@@ -33,6 +33,9 @@ to the program            meaning
 import os
 from collections.abc import Iterator
 
+TITLE = "pybgi"
+"""The name of a window that has not been given another."""
+
 
 def encode(word: str, *arguments: object) -> bytes:
     """A message as one line of ASCII, whatever its text contains."""

@@ -14,7 +14,7 @@ import numpy as np
 from bgi.errors import BGIError
 from bgi.memory.card import Frame
 from bgi.memory.matching import true_colors
-from bgi.monitor.picture import Colours, pixels
+from bgi.monitor.picture import Colors, pixels
 
 TICK = 0.01  # seconds: the GIF's unit of time
 SHORTEST = 2  # ticks: browsers show a picture that is meant to be shorter far too long
@@ -102,7 +102,7 @@ def _marked(image: Any) -> Any:
     return marked.quantize(256)
 
 
-def _image(frame: Frame, palette: Colours) -> Any:
+def _image(frame: Frame, palette: Colors) -> Any:
     from PIL import Image
 
     size = frame.width, frame.height

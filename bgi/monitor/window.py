@@ -20,7 +20,7 @@ from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyboard import PIECE_SECONDS, KeyQueue
 from bgi.monitor.plan import Plan, note
 from bgi.monitor.pointer import Mouse
-from bgi.monitor.protocol import encode, receive
+from bgi.monitor.protocol import TITLE, encode, receive
 
 START_SECONDS = 60  # the very first import of pygame on a slow disk takes long
 END_SECONDS = 1
@@ -37,7 +37,7 @@ class Window:
     def __init__(
         self,
         card: Card,
-        title: str = "pybgi",
+        title: str = TITLE,
         on_lost: Callable[[BGIError], None] = lambda error: None,
         plan: Plan | None = None,
     ) -> None:

@@ -1,14 +1,10 @@
 """The monitor without a screen, and the choice between the monitors."""
 
-import warnings
-from pathlib import Path
-
 import pytest
 
 import bgi.monitor
 from bgi.errors import NobodyThere
 from bgi.memory.card import Card
-from bgi.memory.sdl import warn_of_twins
 from bgi.monitor import Headless, Monitor, choose
 
 
@@ -111,30 +107,3 @@ def test_with_a_display_there_is_a_window(
     monkeypatch.setattr("sys.platform", platform)
     choose(card, "a plot")
     assert opened == ["a plot"]
-
-
-@pytest.mark.parametrize(
-    "installed",
-    [
-        [],
-        ["pygame-2.6.1.dist-info"],
-        ["pygame_ce-2.5.8.dist-info"],
-        ["pygame_ce-2.5.8.dist-info", "pygame"],
-    ],
-)
-def test_one_pygame_is_no_news(tmp_path: Path, installed: list[str]) -> None:
-    for name in installed:
-        (tmp_path / name).mkdir()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        warn_of_twins(tmp_path)
-
-
-@pytest.mark.parametrize("name", ["pygame-2.6.1.dist-info", "pygame-2.1.2.egg-info"])
-def test_two_of_them_are(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).mkdir()
-    (tmp_path / "pygame_ce-2.5.8.dist-info").mkdir()
-    with pytest.warns(RuntimeWarning, match="both installed .* type: pip uninstall") as caught:
-        warn_of_twins(tmp_path)
-    assert len(caught) == 1
-    assert "\n" not in str(caught[0].message)
