@@ -163,7 +163,7 @@ def _status(end: SystemExit) -> int:
 
 
 def _was_written(file: str) -> bool:
-    """Say whether a planned file was written; a failure has been said, but for one."""
+    """Whether a planned file was written, and say so; a failure has been said where it occurred."""
     if file not in written:
         note(file, "the program opened no screen")
     if written[file]:

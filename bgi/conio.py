@@ -50,7 +50,7 @@ def ungetch(c: Number) -> int:
         c: its code, 0 to 255.
 
     Returns it, or EOF (-1), and does nothing, if one has been given back already, or if half an
-    extended key waits there. ValueError for a code that is none. Source: conio.h.
+    extended key waits there. ValueError for any other number. Source: conio.h.
     """
     code = whole("c", c)
     if not 0 <= code <= 255:

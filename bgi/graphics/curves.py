@@ -27,7 +27,7 @@ class Curves(Pen):
         return self.aspect
 
     def getarccoords(self) -> arccoordstype:
-        """Centre of the last curve, and ends of the last that told its own."""
+        """Centre of the last curve, and the ends of the last one that set them."""
         x, y, ((x1, y1), (x2, y2)) = KERNEL.curve
         return arccoordstype(x, y, x + x1, y + y1, x + x2, y + y2)
 

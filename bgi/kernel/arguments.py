@@ -28,7 +28,7 @@ LIMIT = 1 << 24
 
 
 CHUNK = 8192
-"""Elements worked on at a time: arrays of so many fit into the processor's cache."""
+"""Elements worked on at a time: such arrays fit into the processor's cache."""
 
 
 def whole(name: str, value: object) -> int:

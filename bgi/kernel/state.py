@@ -85,7 +85,7 @@ class Kernel:
         self.drivers = DriverTable()
         self.curve = 0, 0, ((0, 0), (0, 0))
         """For getarccoords(): the last curve's centre; from there, the ends of the last curve that
-        told them."""
+        set them."""
         self.user_scale = Scale(1, 1, 1, 1)
         """What setusercharsize() was given last."""
         self.bufsize = 4096

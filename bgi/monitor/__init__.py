@@ -56,7 +56,7 @@ class Monitor(Protocol):
         """The time, in seconds since 1970."""
 
     def sleep(self, milliseconds: float) -> None:
-        """Let so much time pass."""
+        """Let that time pass."""
 
     def set_title(self, title: str) -> None:
         """Name the window."""

@@ -25,18 +25,19 @@ from bgi.monitor.recorder import Recorder
 from bgi.monitor.speaker import Speaker
 
 RATE = 60  # pictures a second at most, unless BGI_RATE says otherwise
+
+# Seconds.
 IDLE_FRAME = 1 / 30  # between two looks at a card that does not change
-# pygame's own wait looks for events every millisecond, and that is work, too.
-NAP, IDLE_NAP = 0.004, 0.010
-IDLE_AFTER = 0.5  # seconds in which nothing has happened
-LATE = 0.002  # a wait may end late; so much is made good at the next picture
-LINGER = 60  # seconds at most for finishing a recording
+NAP, IDLE_NAP = 0.004, 0.010  # between two looks for events; pygame's own wait looks every 0.001
+IDLE_AFTER = 0.5  # without event, order or picture, until the window is idle
+LATE = 0.002  # by which a wait may end late: the next picture makes up for it
+LINGER = 60  # at most, to finish a recording
 
 Inbox = queue.SimpleQueue[tuple[str, str]]
 
 
 class Child:
-    """The main loop: the user's doings to the program, pictures to the screen."""
+    """The main loop: what the user does goes to the program, pictures to the screen."""
 
     def __init__(self, card: Card, folder: Path, inbox: Inbox, output: int) -> None:
         self._card = card
@@ -128,7 +129,7 @@ class Child:
         else:
             pause = IDLE_FRAME if now - self._lively > IDLE_AFTER else self._frame
         self._free = max(self._free + pause, start + pause - LATE)
-        # If the program does not read, its pipe is full: then it is told next time.
+        # If the program does not read, its pipe is full: then it learns of it next time.
         if self._asked and self._send("shown", self._asked, self._display.presents):
             self._asked = ""
 
@@ -207,7 +208,7 @@ def _rate() -> float:
 
 
 def _listen(inbox: Inbox) -> None:
-    """Hand the program's messages on, and end with the program, come what may."""
+    """Hand the program's messages on, and end with the program in any case."""
     for message in receive(0):
         inbox.put(message)
     inbox.put(("end", ""))

@@ -51,14 +51,14 @@ def follow_program(close: Callable[[], None]) -> None:
 def interrupt(error: WindowClosed) -> None:
     """End a program that makes no call, by something like Ctrl-C that `error` explains.
 
-    Such a program sleeps, computes or waits for something else. One that has been told the error is
+    Such a program sleeps, computes or waits for something else. One that has met the error is
     left to end in its own way.
     """
 
     def end() -> None:
         global _interrupted
-        told = error.__traceback__ is not None  # raised, and so on its way through the program
-        if told or _at_a_prompt():
+        met = error.__traceback__ is not None  # raised, so it is on its way through the program
+        if met or _at_a_prompt():
             return
         _interrupted = error
         if sys.platform == "win32":

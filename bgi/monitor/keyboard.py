@@ -168,8 +168,8 @@ def _keystroke(word: str) -> bytes:
         return _NAMES[word.lower()]
     except KeyError:
         raise ValueError(
-            f"{word!r} is no key: write a single character, Esc, Enter, Space, Tab, Backspace, Up, "
-            "Down, Left, Right, Home, End, PgUp, PgDn, Ins, Del or F1 to F12"
+            f"{word!r} is not a key: write a single character, Esc, Enter, Space, Tab, Backspace, "
+            "Up, Down, Left, Right, Home, End, PgUp, PgDn, Ins, Del or F1 to F12"
         ) from None
 
 

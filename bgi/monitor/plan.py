@@ -42,7 +42,7 @@ class Plan:
     def from_environment(cls, keys: str | None = None) -> "Plan":
         """The plan that the variables describe, or one with other keys.
 
-        ValueError names a variable that makes no sense, or a word that is no key; BGIError says
+        ValueError names a variable that makes no sense, or a word that is not a key; BGIError says
         what is missing for a recording.
         """
         after = os.environ.get("BGI_AFTER", "")
@@ -67,14 +67,14 @@ class Plan:
 
 
 def parse_time(text: str) -> float:
-    """A time such as 2s, 2.5 or 500ms, in seconds; ValueError if it is none."""
+    """A time such as 2s, 2.5 or 500ms, in seconds; ValueError for anything else."""
     number, unit = (text[:-2], 0.001) if text.endswith("ms") else (text.removesuffix("s"), 1)
     try:
         seconds = float(number) * unit
     except ValueError:
         seconds = -1
     if not 0 < seconds < math.inf:
-        raise ValueError(f"{text!r} is no time: write 2s, 2.5s or 500ms")
+        raise ValueError(f"{text!r} is not a time: write 2s, 2.5s or 500ms")
     return seconds
 
 

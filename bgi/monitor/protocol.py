@@ -23,7 +23,7 @@ to the program            meaning
 ``shifts FLAGS``          the Shift keys and their like: `bgi.monitor.keyboard.shift_flags`
 ``mouse EVENT X Y HELD``  an event of `bgi.monitor.pointer`, where, and the buttons held
 ``wheel CLICKS``          its wheel was turned, down or (less than 0) up
-``shown N PRESENTS``      picture N is on show; so many were presented since the start
+``shown N PRESENTS``      picture N is on show, the PRESENTS-th since the start
 ``recording``             something is being recorded: writing it will take its time
 ``recorded FAILURE``      the recording asked for is written, or what kept it from being
 ``closed``                the user has closed the window

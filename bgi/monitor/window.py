@@ -71,7 +71,7 @@ class Window:
         self._follow_plan()
 
     def _follow_plan(self) -> None:
-        """Record, and come to an end in time, as planned."""
+        """Record, and end after some time, if that is planned."""
         if self._plan.record:
             self._send("record", self._plan.record)
         if self._plan.after < math.inf:
@@ -143,7 +143,7 @@ class Window:
         return time.time()
 
     def sleep(self, milliseconds: float) -> None:
-        """Let so much time pass."""
+        """Let that time pass."""
         self._check()
         self._wait(lambda: False, time.monotonic() + milliseconds / 1000)
 
@@ -176,7 +176,7 @@ class Window:
             raise BGIError("the window belongs to the process that opened it, this is a fork of it")
 
     def _question(self) -> None:
-        """Answer at once, but for a rest now and then if the program does nothing but ask."""
+        """Answer at once, with a rest now and then if the program does nothing but ask."""
         self._check()
         if self._idling.count_question():
             self._wait(lambda: False, time.monotonic() + REST_SECONDS)

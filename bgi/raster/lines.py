@@ -29,7 +29,7 @@ Segments = tuple[Ints, Ints, Ints, Ints]
 """x1, y1, x2, y2 of many lines."""
 
 CHUNK = 8192
-"""Pixels traced at a time: arrays of so many fit into the processor's cache."""
+"""Pixels traced at a time: such arrays fit into the processor's cache."""
 _MOVES = 8
 """More moves than any line needs to come inside: each end crosses at most two edges."""
 _FRACTION_BITS = 32

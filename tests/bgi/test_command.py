@@ -112,9 +112,9 @@ def test_a_window_that_ends_as_planned(folder: Path) -> None:
     [
         (["nothing.py"], 2, "bgi: there is no program nothing.py"),
         ([], 2, "error: which program? Give its file, or --info"),
-        (["--keys", "Foo", "bounce.py"], 2, "'Foo' is no key: write"),
-        (["--after", "soon", "bounce.py"], 2, "'soon' is no time: write 2s, 2.5s or 500ms"),
-        (["--after=-1s", "bounce.py"], 2, "is no time"),
+        (["--keys", "Foo", "bounce.py"], 2, "'Foo' is not a key: write"),
+        (["--after", "soon", "bounce.py"], 2, "'soon' is not a time: write 2s, 2.5s or 500ms"),
+        (["--after=-1s", "bounce.py"], 2, "is not a time"),
         (["--monitor", "vga", "bounce.py"], 2, "invalid choice: 'vga'"),
         (["--nonsense", "bounce.py"], 2, "unrecognized arguments: --nonsense"),
         (["--monitor", "none", "wait.py"], 0, "bgi: nobody can press a key here"),

@@ -49,7 +49,7 @@ def test_keys_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     monitor = Headless()
     assert [monitor.read_key(), monitor.read_key()] == [ord("w"), 27]
     monkeypatch.setenv("BGI_KEYS", "w Escape")
-    with pytest.raises(ValueError, match="'Escape' is no key"):
+    with pytest.raises(ValueError, match="'Escape' is not a key"):
         Headless()
 
 

@@ -293,5 +293,5 @@ def test_scripts() -> None:
 
 @pytest.mark.parametrize("word", ["Escape", "F13", "Ctrl-C", "ab"])
 def test_a_script_with_an_unknown_word(word: str) -> None:
-    with pytest.raises(ValueError, match=f"'{word}' is no key: write a single character, Esc,"):
+    with pytest.raises(ValueError, match=f"'{word}' is not a key: write a single character, Esc,"):
         parse_script(f"a {word} b")

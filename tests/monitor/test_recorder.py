@@ -128,7 +128,7 @@ def test_an_empty_plan(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.delenv(name, raising=False)
     assert Plan.from_environment() == Plan()
     monkeypatch.setenv("BGI_AFTER", "soon")
-    with pytest.raises(ValueError, match="BGI_AFTER: 'soon' is no time: write 2s, 2"):
+    with pytest.raises(ValueError, match="BGI_AFTER: 'soon' is not a time: write 2s, 2"):
         Plan.from_environment()
 
 
