@@ -28,7 +28,8 @@ class Curves(Pen):
 
     def getarccoords(self) -> arccoordstype:
         """Centre of the last curve, and the ends of the last one that set them."""
-        x, y, ((x1, y1), (x2, y2)) = KERNEL.curve
+        x, y, start, end, rx, ry = KERNEL.arc
+        (x1, y1), (x2, y2) = ellipses.point_at(start, rx, ry), ellipses.point_at(end, rx, ry)
         return arccoordstype(x, y, x + x1, y + y1, x + x2, y + y2)
 
     # Outlines
@@ -41,8 +42,8 @@ class Curves(Pen):
             if self._thick:
                 self._elliptic_arc(x, y, 0, 360, radius, ry)
             else:
+                KERNEL.arc = x, y, 0, 360, radius, ry
                 outline = ellipses.outline(0, 360, radius, ry, self.mode.width)
-                KERNEL.curve = x, y, outline.ends
                 self.page.curve(x + self._dx, y + self._dy, outline, self._curve_ink)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
@@ -112,15 +113,14 @@ class Curves(Pen):
         """From angle to angle; a thin curve ignores line style and write mode."""
         if start == -1:  # which is how the kernel says that there is no arc
             return
-        *_, ends = KERNEL.curve
-        cx, cy = x + self._dx, y + self._dy
+        cx, cy, ends = x + self._dx, y + self._dy, KERNEL.arc[2:]
         if self._thick:
             self._thick_arc(cx, cy, start, end, rx, ry)
         elif start != end:
-            outline = ellipses.outline(start, end, rx, ry, self.mode.width)
-            ends = outline.ends
+            ends = start, end, rx, ry
+            outline = ellipses.outline(*ends, self.mode.width)
             self.page.curve(cx, cy, outline, self._curve_ink)
-        KERNEL.curve = x, y, ends
+        KERNEL.arc = x, y, *ends
 
     def _thick_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Lines from degree to degree around an absolute point; they know the write mode."""
@@ -179,11 +179,7 @@ class Curves(Pen):
     def _sector(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Quadrant by quadrant: each piece's area, then its arc; the two radii at the end."""
         start, end = ellipses.slice_angles(start, end)
-        # Without an angle between them both radii are a dot.
-        ends = (0, 0), (0, 0)
-        if start < end:
-            ends = ellipses.point_at(start, rx, ry), ellipses.point_at(end, rx, ry)
-        KERNEL.curve = x, y, ends
+        KERNEL.arc = (x, y, start, end, rx, ry) if start < end else (x, y, 0, 0, 0, 0)
         if not ellipses.drawable(rx, ry):
             return
         fill, color = self._fill_ink, self._ink
@@ -192,5 +188,6 @@ class Curves(Pen):
             arc = [(cx + dx, cy + dy) for dx, dy in ellipses.arc(first, last, rx, ry)]
             self._fill_area([*arc, (cx, cy)], fill)
             self._sides(polygons.edges(polygons.paths(arc)), color)
-        for dx, dy in ends:
+        for angle in (start, end):  # without an angle between them both radii are a dot
+            dx, dy = ellipses.point_at(angle, rx, ry) if start < end else (0, 0)
             self._segment(cx, cy, cx + dx, cy + dy, color)

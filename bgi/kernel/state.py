@@ -83,9 +83,9 @@ class Kernel:
         self.result = Result()
         self.fonts = FontTable()
         self.drivers = DriverTable()
-        self.curve = 0, 0, ((0, 0), (0, 0))
-        """For getarccoords(): the last curve's centre; from there, the ends of the last curve that
-        set them."""
+        self.arc = 0, 0, 0, 0, 0, 0
+        """For getarccoords(): the last curve's centre, then start and end angle and both radii of
+        the last curve that set its ends."""
         self.user_scale = Scale(1, 1, 1, 1)
         """What setusercharsize() was given last."""
         self.bufsize = 4096

@@ -302,7 +302,7 @@ class Page:
 
     def curve(self, x: int, y: int, outline: Outline, color: int) -> None:
         """A thin curve around x, y."""
-        dx, dy, place, left, top, right, bottom, _ = outline
+        dx, dy, place, left, top, right, bottom = outline
         if (
             self._left <= x + left
             and x + right <= self._right

@@ -127,8 +127,6 @@ class Outline(NamedTuple):
     right: int
     bottom: int
     """How far it reaches, all offsets from the centre; nothing for an empty one."""
-    ends: tuple[Offset, Offset]
-    """Where getarccoords() says that it starts and ends: offsets, whether drawn or not."""
 
 
 @lru_cache(maxsize=256)
@@ -137,9 +135,7 @@ def outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
     points = np.array(arc(start, end, rx, ry), dtype=np.int64).reshape(-1, 2)
     dx, dy = points.T
     reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
-    left, top, right, bottom = map(int, reach)
-    ends = point_at(start, rx, ry), point_at(end, rx, ry)
-    return Outline(dx, dy, dy * width + dx, left, top, right, bottom, ends)
+    return Outline(dx, dy, dy * width + dx, *map(int, reach))
 
 
 def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:
