@@ -18,6 +18,7 @@ from pathlib import Path
 from types import ModuleType, TracebackType
 
 from bgi import __version__, current
+from bgi.fonts import DATA
 from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly, twins
 from bgi.monitor import ending
@@ -227,9 +228,7 @@ def _sound() -> str:
 
 def _fonts() -> str:
     """The stroked fonts that come with the package."""
-    from bgi import fonts
-
-    found = sorted((Path(fonts.__file__).parent / "data").glob("*.CHR"))
+    found = sorted(DATA.glob("*.CHR"))
     return ", ".join(file.stem for file in found)
 
 

@@ -8,6 +8,7 @@ drawing functions need not look. Screens are numbered as they open, like WinBGIm
 from __future__ import annotations
 
 import functools
+import os
 import threading
 from collections.abc import Callable
 from typing import NoReturn, cast
@@ -38,6 +39,12 @@ def _absent(error: Callable[[], BGIError]) -> Graphics:
 
 _NOT_LOADED = _absent(lambda: BGIError("BGI Error: Graphics not initialized (use 'initgraph')"))
 _TEXT_MODE = _absent(lambda: BGIError("BGI Error: Not in graphics mode"))
+_IN_A_FORK = _absent(
+    lambda: BGIError(
+        "the window belongs to the process that opened it, this is a fork of it: "
+        "initgraph() opens one of its own"
+    )
+)
 
 # The program's own thread writes all of these. A monitor's thread writes `_reached` and `screen`,
 # too, when its window is lost (`_lost`): by single assignments, so that no lock is needed.
@@ -49,6 +56,24 @@ _open: dict[int, Graphics] = {}
 """The open screens by number; one in text mode or without its window is open, too."""
 _reached: dict[int, Graphics] = {}
 """What a call to each open screen reaches once it is current: itself, or a stand-in."""
+
+
+_parents: dict[int, Graphics] = {}
+"""In a fork, the screens of the process it was made from: kept, and never touched."""
+
+
+def _leave_to_parent() -> None:
+    """In a fork: the screens that are open are the parent's, and so is their memory."""
+    global screen, number
+    if _open:
+        _parents.update(_open)
+        _open.clear()
+        _reached.clear()
+        number, screen = NO_CURRENT_WINDOW, _IN_A_FORK
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_leave_to_parent)
 
 
 def loaded() -> Graphics | None:

@@ -4,10 +4,11 @@
 """
 
 from functools import lru_cache
-from importlib.resources import files
 
 import numpy as np
 from numpy.typing import NDArray
+
+from bgi.fonts import DATA
 
 CELL = 8
 """Width and height of a glyph at size 1, in pixels."""
@@ -16,7 +17,7 @@ CELL = 8
 @lru_cache(maxsize=1)
 def _glyphs() -> NDArray[np.bool_]:
     """The pixels of all glyphs, shape (256, CELL, CELL)."""
-    rows = (files("bgi.fonts") / "data" / "font8x8.bin").read_bytes()
+    rows = (DATA / "font8x8.bin").read_bytes()
     return np.unpackbits(np.frombuffer(rows, np.uint8).reshape(256, CELL, 1), axis=2).astype(bool)
 
 

@@ -8,9 +8,9 @@ package. File names are compared as DOS did, without regard to case.
 
 import os
 from functools import lru_cache
-from importlib.resources import files
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
+from bgi.fonts import DATA
 from bgi.fonts.chr import MAX_BYTES, FontError, StrokedFont, parse
 
 STANDARD = ("TRIP", "LITT", "SANS", "GOTH", "SCRI", "SIMP", "TSCR", "LCOM", "EURO", "BOLD")
@@ -118,4 +118,4 @@ def _parsed(path: str, changed: int, size: int) -> StrokedFont:
 @lru_cache(maxsize=len(STANDARD))
 def _shipped(name: str) -> StrokedFont:
     """One of the ten fonts of this package."""
-    return parse((files("bgi.fonts") / "data" / (name + _EXTENSION)).read_bytes())
+    return parse((DATA / (name + _EXTENSION)).read_bytes())

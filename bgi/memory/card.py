@@ -255,7 +255,7 @@ class Card:
 def _anonymous_file(size: int) -> int:
     """A descriptor of `size` zero bytes that have no name in any directory."""
     if sys.platform == "linux":
-        fd = os.memfd_create("bgi-card")
+        fd = _above_standard(os.memfd_create("bgi-card"))
         os.truncate(fd, size)
         return fd
     # Imported late: it imports random, and many a program has a random.py of its own beside it.
@@ -265,7 +265,22 @@ def _anonymous_file(size: int) -> int:
         # Written, not only truncated: a full disk must be noticed here, not at some later pixel.
         file.write(bytes(size))
         file.flush()
-        return os.dup(file.fileno())
+        return _above_standard(os.dup(file.fileno()))
+
+
+def _above_standard(fd: int) -> int:
+    """The same file by a descriptor beyond 0, 1 and 2.
+
+    Those are free in a program that was started with a standard stream closed, and the next pipe to
+    a process would take the card's place.
+    """
+    if sys.platform == "win32" or fd > 2:
+        return fd
+    import fcntl
+
+    above = fcntl.fcntl(fd, fcntl.F_DUPFD_CLOEXEC, 3)
+    os.close(fd)
+    return above
 
 
 def _mapped(name: str, size: int) -> mmap.mmap:

@@ -6,6 +6,7 @@ and uninstalling either breaks the other.
 
 import contextlib
 import os
+import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
@@ -14,8 +15,25 @@ os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
 ADVICE = "type: pip uninstall -y pygame pygame-ce && pip install pygame-ce"
 
+
+@contextlib.contextmanager
+def _without(name: str) -> Iterator[None]:
+    """A module that is not there while it is optional to another one's import."""
+    before = sys.modules.get(name, ...)
+    sys.modules[name] = None  # type: ignore[assignment]  # as if it were not installed
+    try:
+        yield
+    finally:
+        del sys.modules[name]
+        if before is not ...:
+            sys.modules[name] = before
+
+
+# pygame asks setuptools for its font, if that is installed. To import it takes a tenth of a second,
+# and it imports random: many a program has a random.py of its own beside it.
 try:
-    import pygame as pygame
+    with _without("pkg_resources"):
+        import pygame as pygame
     from pygame import Surface as _Surface  # noqa: F401  # gone when a twin has been uninstalled
 except ImportError as error:
     if find_spec("pygame") is None:

@@ -1,4 +1,4 @@
-"""The window's process, `python -m bgi.monitor.child HANDLE FOLDER`: the loop that it lives in.
+"""The window's process (`bgi.monitor.process` starts it): the loop that it lives in.
 
 It looks at the card sixty times a second and presents the visible page when it differs from what
 is on show, so drawing costs the program nothing. It sends what the user does, and it goes when the
@@ -241,7 +241,3 @@ def main() -> None:
             thread.join(LINGER)
     # At once, without tidying up: SDL's threads may be anywhere.
     os._exit(0)
-
-
-if __name__ == "__main__":
-    main()

@@ -82,7 +82,7 @@ class Mouse:
         self.handlers: dict[int, Handler] = {}
         """Whom to call for a message of Windows; 0 stands for all of them."""
         self._tell = tell
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a signal handler may come in between
         self._hidden = 1  # the driver's counter, with the sign changed
         self._limits: tuple[int, int, int, int] | None = None
         self._counts: dict[int, Count] = {}

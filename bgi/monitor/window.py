@@ -8,11 +8,9 @@ import contextlib
 import math
 import os
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 from bgi.errors import BGIError, TimeIsUp, WindowClosed
 from bgi.memory.card import Card
@@ -20,6 +18,7 @@ from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyboard import PIECE_SECONDS, KeyQueue
 from bgi.monitor.plan import Plan, note
 from bgi.monitor.pointer import Mouse
+from bgi.monitor.process import start
 from bgi.monitor.protocol import TITLE, encode, receive
 
 START_SECONDS = 60  # the very first import of pygame on a slow disk takes long
@@ -56,7 +55,7 @@ class Window:
         self._asked = 0
         self._answered = 0
         self._end_seconds = END_SECONDS
-        self._process = _start(card)
+        self._process = start(card)
         assert self._process.stdin and self._process.stdout
         self._input, self._output = self._process.stdin, self._process.stdout
         self._listener = threading.Thread(target=self._listen, name="bgi window", daemon=True)
@@ -243,30 +242,3 @@ class Window:
         self._keys.close(error)
         if tell and self._ready:  # before that the constructor raises it
             self._on_lost(error)
-
-
-def _start(card: Card) -> subprocess.Popen[bytes]:
-    # The child must import this very package and no file of the user's that happens to be called
-    # random.py or numpy.py: it runs in the directory that holds the package, not in the user's.
-    home = str(Path(__file__).resolve().parents[2])
-    path = os.pathsep.join(filter(None, (home, os.environ.get("PYTHONPATH"))))
-    folder = os.path.abspath("")
-    try:
-        return subprocess.Popen(
-            # No warnings: the program has shown them already.
-            [sys.executable, "-W", "ignore", "-m", "bgi.monitor.child", card.handle, folder],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            bufsize=0,
-            cwd=home,
-            env=os.environ | {"PYTHONPATH": path},
-            pass_fds=card.inherit,
-            # Apart from the program's terminal: Ctrl-C there is for the program alone, and on
-            # Windows no console opens.
-            process_group=None if sys.platform == "win32" else 0,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
-    except OSError as error:
-        # Windows does not say which file it has not found.
-        reason = f"{sys.executable}: {error.strerror}"
-        raise BGIError(f"no window: its process could not be started: {reason}") from None

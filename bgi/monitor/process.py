@@ -1,0 +1,93 @@
+"""The window's process: the interpreter, the flags and the search path of the program.
+
+It must run this very package and what the program would, and nothing of the folder that the
+program lies in: a `random.py` there is a game's, not the standard library's. So it gets the
+program's search path without that folder, and the package is loaded from where it lies.
+"""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from bgi.errors import BGIError
+from bgi.memory.card import Card
+from bgi.memory.sdl import pygame
+
+PACKAGE = Path(__file__).resolve().parents[1]
+
+# What the process runs first: its search path is the program's before anything is imported.
+_BOOT = """\
+import sys
+package, path = sys.argv[1], sys.argv[2].split("\\n")
+del sys.argv[1:3]
+sys.path[:] = path
+from importlib.util import module_from_spec, spec_from_file_location
+init, within = package + "/__init__.py", [package]
+spec = spec_from_file_location("bgi", init, submodule_search_locations=within)
+bgi = sys.modules["bgi"] = module_from_spec(spec)
+spec.loader.exec_module(bgi)
+from bgi.monitor.child import main
+main()
+"""
+
+_FLAGS = {
+    "isolated": "-I",
+    "ignore_environment": "-E",
+    "no_user_site": "-s",
+    "no_site": "-S",
+    "dont_write_bytecode": "-B",
+}
+
+
+def start(card: Card) -> subprocess.Popen[bytes]:
+    """Start the window's process for a card; BGIError if that fails."""
+    command = [
+        sys.executable,
+        *(flag for name, flag in _FLAGS.items() if getattr(sys.flags, name)),
+        "-P",  # nothing of the current folder
+        *("-W", "ignore"),  # the program has shown the warnings already
+        *("-c", _BOOT, str(PACKAGE), "\n".join(search_path()), card.handle, _folder()),
+    ]
+    try:
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=None if _is_open(2) else subprocess.DEVNULL,
+            bufsize=0,
+            pass_fds=card.inherit,
+            # Apart from the program's terminal: Ctrl-C there is for the program alone, and on
+            # Windows no console opens.
+            process_group=None if sys.platform == "win32" else 0,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+    except OSError as error:
+        # Windows does not say which file it has not found.
+        reason = f"{sys.executable}: {error.strerror}"
+        raise BGIError(f"no window: its process could not be started: {reason}") from None
+
+
+def search_path() -> list[str]:
+    """Where the program finds modules, but for its own folder; at last where pygame lies."""
+    program = getattr(sys.modules.get("__main__"), "__file__", None)
+    own = {_folder(), os.path.dirname(os.path.abspath(program)) if program else ""}
+    found = [os.path.abspath(entry) for entry in sys.path if entry]
+    needed = os.path.dirname(os.path.dirname(os.path.abspath(pygame.__file__)))
+    return [*dict.fromkeys(entry for entry in found if entry not in own), needed]
+
+
+def _folder() -> str:
+    """The current folder; a program may go on in one that has been removed."""
+    try:
+        return os.path.abspath("")
+    except OSError:
+        return os.path.abspath(os.sep)
+
+
+def _is_open(descriptor: int) -> bool:
+    try:
+        os.fstat(descriptor)
+    except OSError:
+        return False
+    return True

@@ -1,0 +1,143 @@
+"""The window's process runs what the program runs, and nothing of the program's folder."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from bgi.monitor import process
+from tests.processes import posix
+
+HOME = str(Path(__file__).resolve().parents[2])
+OPENS = "from bgi import *\ninitgraph()\ncircle(9, 9, 5)\nswapbuffers()\nprint(getpixel(14, 9))\n"
+WINDOW = {"BGI_MONITOR": "window", "SDL_VIDEODRIVER": "dummy"}
+
+
+def run(
+    *arguments: object, cwd: Path, path: str = HOME, **more: object
+) -> subprocess.CompletedProcess[str]:
+    """A program of its own in a folder, with a window on SDL's dummy driver."""
+    environment = os.environ | WINDOW | {"PYTHONPATH": path}
+    return subprocess.run(
+        [sys.executable, *map(str, arguments)],
+        cwd=cwd,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=100,
+        **more,  # type: ignore[call-overload]
+    )
+
+
+def program(folder: Path, source: str = OPENS) -> Path:
+    file = folder / "program.py"
+    file.write_text(source, "utf-8")
+    return file
+
+
+def marking(folder: Path, mark: Path) -> None:
+    """A module that every interpreter imports which sees it, and that leaves a mark each time."""
+    folder.mkdir(exist_ok=True)
+    (folder / "sitecustomize.py").write_text(f"open({str(mark)!r}, 'a').write('x')", "utf-8")
+
+
+@pytest.mark.parametrize(
+    "name", ["random", "numpy", "pygame", "signal", "queue", "bgi_unused", "subprocess", "tempfile"]
+)
+def test_a_file_beside_the_program_is_none_of_the_windows(tmp_path: Path, name: str) -> None:
+    """The program keeps its own hands off it, so that only the window could import it."""
+    source = "import sys\nfolder = sys.path.pop(0)\n" + OPENS + "sys.path.insert(0, folder)\n"
+    file = program(tmp_path, source.replace("swapbuffers()", "swapbuffers()\nkbhit()"))
+    (tmp_path / f"{name}.py").write_text("raise SystemExit('ran')", "utf-8")
+    ran = run(file, cwd=tmp_path)
+    assert (ran.stdout, ran.stderr, ran.returncode) == ("0\n", "", 0)
+
+
+def test_a_random_beside_the_program_does_not_keep_bgi_from_being_imported(tmp_path: Path) -> None:
+    (tmp_path / "random.py").write_text("raise SystemExit('ran')", "utf-8")
+    ran = run(program(tmp_path), cwd=tmp_path)
+    assert (ran.stdout, ran.stderr, ran.returncode) == ("0\n", "", 0)
+
+
+@pytest.mark.parametrize("flag", ["-I", "-E"])
+def test_what_the_program_ignores_its_window_ignores(tmp_path: Path, flag: str) -> None:
+    mark = tmp_path / "mark"
+    marking(tmp_path / "lib", mark)
+    source = f"import sys\nsys.path.insert(1, {HOME!r})\n" + OPENS
+    ran = run(flag, program(tmp_path, source), cwd=tmp_path, path=str(tmp_path / "lib"))
+    assert (ran.stdout, ran.stderr) == ("0\n", "")
+    assert not mark.exists()
+
+
+def test_a_relative_search_path_means_the_same_to_both(tmp_path: Path) -> None:
+    mark = tmp_path / "mark"
+    marking(tmp_path / "lib", mark)
+    ran = run(program(tmp_path), cwd=tmp_path, path=os.pathsep.join(("lib", HOME)))
+    assert (ran.stdout, ran.stderr) == ("0\n", "")
+    assert mark.read_text() == "xx"
+
+
+def test_the_package_is_the_programs_wherever_another_lies(tmp_path: Path) -> None:
+    other = tmp_path / "lib" / "bgi"
+    other.mkdir(parents=True)
+    (other / "__init__.py").write_text("raise SystemExit('another')", "utf-8")
+    source = f"import sys\nsys.path.insert(0, {HOME!r})\n" + OPENS
+    ran = run(program(tmp_path, source), cwd=tmp_path, path=str(tmp_path / "lib"))
+    assert (ran.stdout, ran.stderr) == ("0\n", "")
+
+
+@posix
+@pytest.mark.parametrize("closed", [0, 1, 2])
+def test_a_standard_stream_that_is_closed(tmp_path: Path, closed: int) -> None:
+    """Its number is free: neither the card nor a pipe may take it by accident."""
+    source = OPENS.replace("print(getpixel(14, 9))", "assert getpixel(14, 9) == 0")
+    file = program(tmp_path, source + f"import os\nos.close(os.open({str(tmp_path)!r}, 0))\n")
+    ran = run(file, cwd=tmp_path, preexec_fn=lambda: os.close(closed))
+    assert ran.returncode == 0, ran.stderr
+
+
+@posix
+def test_a_folder_that_has_been_removed(tmp_path: Path) -> None:
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    file = program(tmp_path, "import os\nos.rmdir(os.getcwd())\n" + OPENS)
+    ran = run(file, cwd=gone)
+    assert (ran.stdout, ran.stderr, ran.returncode) == ("0\n", "", 0)
+
+
+def test_the_search_path_ends_where_pygame_lies(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "path", ["", os.getcwd(), "lib", "lib"])
+    *found, last = process.search_path()
+    assert found == [os.path.abspath("lib")]
+    assert (Path(last) / "pygame").is_dir()
+
+
+@posix
+def test_a_fork_leaves_the_programs_screen_alone_and_opens_its_own(tmp_path: Path) -> None:
+    source = """
+import os, warnings
+warnings.simplefilter("ignore")  # Python 3.12 dislikes any fork beside a thread
+from bgi import *
+initgraph(VGA, VGAHI)
+bar(0, 0, 99, 99)
+if os.fork() == 0:
+    try:
+        putpixel(5, 5, RED)
+    except BGIError as error:
+        print(error, flush=True)
+    initgraph(CGA, CGAC0)
+    print(getmaxy(), getpixel(50, 50), kbhit(), flush=True)
+    os._exit(0)
+os.wait()
+print(getmaxy(), getpixel(5, 5), getpixel(50, 50))
+"""
+    ran = run(program(tmp_path, source), cwd=tmp_path)
+    assert ran.stdout.splitlines() == [
+        "the window belongs to the process that opened it, this is a fork of it: "
+        "initgraph() opens one of its own",
+        "199 0 0",
+        "479 15 15",
+    ]
+    assert ran.stderr == ""
