@@ -46,7 +46,12 @@ __all__ = ["pygame", "quietly", "twins"]
 @contextlib.contextmanager
 def quietly() -> Iterator[None]:
     """Keep off the terminal what the system's libraries say when a device is not there."""
-    kept, nothing = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    try:
+        kept = os.dup(2)
+    except OSError:  # the program runs without a standard error: nothing can be said
+        yield
+        return
+    nothing = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nothing, 2)
     try:
         yield
