@@ -186,12 +186,18 @@ class TestAnotherPackageInTheWay:
         assert f"not the package {name}" in ran.stderr
 
     def test_what_is_not_installed_is_named(self, tmp_path):
-        ran = self.run_beside(tmp_path, "pygame", "import _of_its_own", "hello")
+        ran = self.run_beside(tmp_path, "numpy", "import _of_its_own", "hello")
         assert ran.returncode == 1
         assert ran.stderr == (
             "demos: No module named '_of_its_own'; "
             "in the folder of the project, type: pip install .\n"
         )
+
+    def test_a_broken_pygame_is_advised_on_once(self, tmp_path):
+        ran = self.run_beside(tmp_path, "pygame", "", "hello")
+        assert ran.returncode == 1
+        assert ran.stderr.startswith("demos: pygame is there, but broken")
+        assert ran.stderr.endswith("&& pip install pygame-ce\n")
 
 
 class TestWheel:

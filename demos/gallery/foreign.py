@@ -10,6 +10,8 @@ def explain(error: ImportError) -> str:
     package = (error.name or "").partition(".")[0]
     there = sys.modules.get(package)
     if there is None or package not in OURS:
+        if not isinstance(error, ModuleNotFoundError):
+            return str(error)  # which says what to do
         return f"{error}; in the folder of the project, type: pip install ."
     return (
         f"{there.__file__} is not the package {package} that belongs to the demos; "
