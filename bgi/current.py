@@ -93,8 +93,15 @@ def open_screen(mode: GraphicsMode) -> None:
         close_screen(CURRENT_WINDOW)
         open_window(mode)
     else:
-        here.enter(mode)
-        _reach(number, here)
+        _enter(here, mode)
+
+
+def _enter(here: Graphics, mode: GraphicsMode) -> None:
+    """Enter a mode on the current screen's card."""
+    new = Graphics(mode, here.card, here.monitor)
+    new.path = here.path
+    _open[number] = new
+    _reach(number, new)
 
 
 def open_window(mode: GraphicsMode, title: str = TITLE) -> int:
@@ -126,7 +133,7 @@ def select(which: int) -> None:
 
 def leave_graphics() -> None:
     """Go to text mode: the screen stays loaded, and dark."""
-    screen.enter(screen.mode)
+    _enter(screen, screen.mode)
     _reach(number, _TEXT_MODE)
 
 

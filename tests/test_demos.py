@@ -113,9 +113,9 @@ class TestEveryDemo:
     def test_runs_until_its_last_key_and_leaves_the_window_to_the_gallery(self, demo, monkeypatch):
         monkeypatch.setenv("BGI_KEYS", KEYS[demo.name])
         bgi.initgraph()
-        before = current.loaded()
+        before = current.screen.monitor
         demo.run()
-        assert current.loaded() is before
+        assert current.screen.monitor is before
         assert not bgi.kbhit()
 
     def test_is_shown_and_explained_in_the_folder(self, demo):
@@ -269,7 +269,7 @@ class TestCommand:
 
         def watched(place):
             answer = choose(place)
-            screens.append(current.loaded())
+            screens.append(current.screen.monitor)
             return answer
 
         monkeypatch.setattr(menu, "choose", watched)

@@ -53,7 +53,7 @@ class Images(State):
                 f"an image of {width}x{height} pixels is too large: {MAX_PIXELS:,} at most"
             )
         taken = self.page.copy(x1 + self._dx, y1 + self._dy, width, height)
-        image = Image(taken, self.mode.colors, self.card.palette.copy())
+        image = Image.of_screen(taken, self.mode.colors, self.card.palette.copy())
         if buffer is not None:
             _store(bytes(image), buffer)
         return image

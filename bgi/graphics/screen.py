@@ -38,23 +38,23 @@ _ENLARGEMENT_BITS = 31
 
 
 class State:
-    """One graphics screen: tests and programs may hold several at once.
+    """One graphics screen in one mode: tests and programs may hold several at once.
 
-    Every attribute is there once a mode has been entered.
+    Another mode is another object, on the same card: so a thread that is drawing when the mode
+    changes ends its call on pages that are as it knows them.
     """
 
     def __init__(
         self, mode: GraphicsMode, card: Card | None = None, monitor: Monitor | None = None
     ) -> None:
-        """Enter `mode` on a card that a monitor shows: by default a new card, and no window."""
+        """Enter `mode` on a card that a monitor shows: by default a new card, and no window.
+
+        Clears the pages; everything is at its default.
+        """
         self.card = card or Card()
         self.monitor = monitor or Headless()
         self.path = ""
         """Where fonts are looked for: what initgraph() was given."""
-        self.enter(mode)
-
-    def enter(self, mode: GraphicsMode) -> None:
-        """Set a mode: clears the pages, everything back to its default."""
         self.mode = mode
         indexed = mode.pixel_bytes == 1
         self._mask = mode.maxcolor if indexed else rgb.MASK

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,6 +68,14 @@ class Image:
         if not own_colors and (array.min() < 0 or array.max() >= self.colors):
             raise ValueError(f"an image of {self.colors} colours holds 0..{self.colors - 1}")
         object.__setattr__(self, "array", array if own_colors else array.astype(np.uint8))
+
+    @classmethod
+    def of_screen(cls, array: NDArray[Any], colors: int, palette: NDArray[np.uint8]) -> Image:
+        """An image of pixels that come from a page: they need no check."""
+        image = object.__new__(cls)
+        for name, value in (("array", array), ("colors", colors), ("palette", palette)):
+            object.__setattr__(image, name, value)
+        return image
 
     @property
     def width(self) -> int:

@@ -1,5 +1,10 @@
 """The screen: its mode, viewport and pages. (Colours: test_palette.)"""
 
+import sys
+import threading
+
+import numpy as np
+
 import bgi
 from bgi import current
 from bgi.kernel.state import KERNEL
@@ -82,3 +87,39 @@ def test_the_viewport_and_the_current_position(vga):
     assert (vga.getx(), vga.gety()) == (0, 0)
     assert not vga.page.array[20:41, 10:31].any()
     assert (vga.page.array == 15).sum() == 640 * 480 - 21 * 21
+
+
+def test_a_mode_that_changes_leaves_calls_of_other_threads_whole():
+    """A call ends on the screen that it began on; the next one finds the new mode."""
+    modes = [(bgi.CGA, 0), (bgi.VGA, bgi.VGAHI), (bgi.IBM8514, bgi.IBM8514HI), (bgi.HERCMONO, 0)]
+    points, corners = np.arange(1100), np.array([(0, 0), (1000, 20), (30, 700)])
+    errors = []
+    over = threading.Event()
+
+    def draw():
+        try:
+            while not over.is_set():
+                bgi.putpixel(points, points, points)
+                bgi.line(0, 700, 1000, 0)
+                bgi.circle(300, 200, 190)
+                bgi.fillpoly(corners)
+                bgi.putimage(900, 600, bgi.getimage(0, 0, 99, 99), bgi.COPY_PUT)
+                bgi.floodfill(5, 5, 15)
+        except Exception as error:
+            errors.append(error)
+
+    bgi.initgraph()
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    threads = [threading.Thread(target=draw) for _ in range(3)]
+    try:
+        for thread in threads:
+            thread.start()
+        for driver, mode in modes * 50:
+            bgi.initgraph(driver, mode)
+    finally:
+        over.set()
+        for thread in threads:
+            thread.join()
+        sys.setswitchinterval(interval)
+    assert errors == []
