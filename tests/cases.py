@@ -49,9 +49,6 @@ def play(case, before=()):
             continue
         if name == "putimage":
             arguments[2] = images[arguments[2]]
-        if name == "setallpalette":
-            size, *colors = arguments[0]
-            arguments = [bgi.palettetype(size, colors)]
         taken = [a.encode("latin-1") if isinstance(a, str) else a for a in arguments]
         answers[str(number)] = as_written(getattr(bgi, name)(*taken))
     return current.screen.page.array.copy(), answers

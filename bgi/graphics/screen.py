@@ -265,6 +265,9 @@ class State:
         """Set the first entries of the palette, -1 leaving one; -11 where the adapter cannot."""
         given = palette.colors[: palette.size] if isinstance(palette, palettetype) else palette
         colors = [whole(f"palette[{i}]", color) for i, color in enumerate(given)]
+        size = self.mode.colors
+        if colors[:1] == [size] and len(colors) == size + 1:  # the struct as C lays it out
+            del colors[0]
         if not self.palette.set_all(dict(enumerate(colors))):
             KERNEL.result.set(grError)
 

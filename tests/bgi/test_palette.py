@@ -88,6 +88,13 @@ def test_setallpalette():
     assert bgi.graphresult() == 0
 
 
+def test_setallpalette_takes_the_struct_as_c_lays_it_out():
+    bgi.setallpalette([16, *range(40, 56)])
+    assert bgi.getpalette().colors == list(range(40, 56))
+    bgi.setallpalette([1, 2])  # two colours
+    assert bgi.getpalette().colors[:3] == [1, 2, 42]
+
+
 def test_setrgbpalette_loads_registers_not_colours():
     bgi.setrgbpalette(8, 63, 0, 0)
     assert look(8) == (0x55, 0x55, 0x55)
