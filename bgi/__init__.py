@@ -24,7 +24,7 @@ from bgi.api.windows import *
 from bgi.conio import getch, kbhit
 from bgi.constants import *
 from bgi.dos import delay
-from bgi.errors import BGIError, NobodyThere, WindowClosed
+from bgi.errors import BGIError, BGIWarning, GraphicsError, NobodyThere, WindowClosed
 from bgi.graphics import Graphics
 from bgi.memory.image import Image
 from bgi.settings import (
@@ -43,7 +43,7 @@ __version__ = "0.1.0"
 __all__ = [
     # Opening and closing graphics, errors, drivers and fonts (bgi.api.system)
     "detectgraph", "initgraph", "closegraph", "setgraphmode", "restorecrtmode", "getmoderange",
-    "graphresult", "grapherrormsg", "installuserdriver", "registerbgidriver",
+    "graphresult", "grapherrormsg", "strict", "installuserdriver", "registerbgidriver",
     "registerfarbgidriver", "installuserfont", "registerbgifont", "registerfarbgifont",
     "setgraphbufsize", "_graphgetmem", "_graphfreemem",
     # The screen (bgi.api.screen)
@@ -79,7 +79,7 @@ __all__ = [
     # Structures, classes and exceptions
     "arccoordstype", "fillsettingstype", "linesettingstype", "palettetype", "pointtype",
     "textsettingstype", "viewporttype",
-    "Graphics", "Image", "BGIError", "NobodyThere", "WindowClosed",
+    "Graphics", "Image", "BGIError", "GraphicsError", "BGIWarning", "NobodyThere", "WindowClosed",
     # Graphics drivers
     "CURRENT_DRIVER", "DETECT", "CGA", "MCGA", "EGA", "EGA64", "EGAMONO", "IBM8514", "HERCMONO",
     "ATT400", "VGA", "PC3270",

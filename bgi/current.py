@@ -16,7 +16,9 @@ from typing import NoReturn, cast
 from bgi.constants import ALL_WINDOWS, CURRENT_WINDOW, NO_CURRENT_WINDOW
 from bgi.errors import BGIError, TimeIsUp
 from bgi.graphics import Graphics
+from bgi.graphics.strict import Strict
 from bgi.kernel.modes import GraphicsMode
+from bgi.kernel.state import KERNEL
 from bgi.memory.card import CAPACITY, Card
 from bgi.monitor import choose
 from bgi.monitor.ending import follow_program, interrupt
@@ -37,7 +39,12 @@ def _absent(error: Callable[[], BGIError]) -> Graphics:
     return cast(Graphics, _Absent(error))
 
 
-_NOT_LOADED = _absent(lambda: BGIError("BGI Error: Graphics not initialized (use 'initgraph')"))
+def _not_loaded() -> BGIError:
+    why = KERNEL.why_no_screen and f": {KERNEL.why_no_screen}"
+    return BGIError(f"BGI Error: Graphics not initialized (use 'initgraph'){why}")
+
+
+_NOT_LOADED = _absent(_not_loaded)
 _TEXT_MODE = _absent(lambda: BGIError("BGI Error: Not in graphics mode"))
 _IN_A_FORK = _absent(
     lambda: BGIError(
@@ -86,14 +93,15 @@ def reachable() -> Graphics:
     return _open[number] if screen is _TEXT_MODE else screen
 
 
-def open_screen(mode: GraphicsMode) -> None:
+def open_screen(mode: GraphicsMode) -> Graphics:
     """Enter a mode: on the current screen, or on a new one if there is none or its window gone."""
     here = loaded()
-    if here is None or screen not in (here, _TEXT_MODE):
+    if here is None or _reached[number] not in (here, _TEXT_MODE):
         close_screen(CURRENT_WINDOW)
         open_window(mode)
     else:
         _enter(here, mode)
+    return _open[number]
 
 
 def _enter(here: Graphics, mode: GraphicsMode) -> None:
@@ -115,6 +123,7 @@ def open_window(mode: GraphicsMode, title: str = TITLE) -> int:
     _open[new] = Graphics(mode, card, monitor)
     _reach(new, _open[new])
     select(new)
+    KERNEL.why_no_screen = ""
     monitor.key_waiting()  # raises if the window was closed as soon as it opened
     return new
 
@@ -126,9 +135,10 @@ def _follow_program() -> None:
 
 def select(which: int) -> None:
     """Make an open screen the current one; an unknown number is ignored."""
-    global screen, number
+    global number
     if which in _open:
-        number, screen = which, _reached[which]
+        number = which
+        _aim()
 
 
 def leave_graphics() -> None:
@@ -139,7 +149,7 @@ def leave_graphics() -> None:
 
 def close_screen(which: int = ALL_WINDOWS) -> None:
     """Let go of a screen, of the current one, or of all: monitor, memory and all."""
-    global screen, number
+    global number
     which = number if which == CURRENT_WINDOW else which
     # The current one last: of several pictures of the end, its stays.
     everyone = sorted(_open, key=lambda one: one == number)
@@ -150,14 +160,27 @@ def close_screen(which: int = ALL_WINDOWS) -> None:
             gone.monitor.close()
             gone.card.close()
     if number not in _open:
-        number, screen = NO_CURRENT_WINDOW, _NOT_LOADED
+        number = NO_CURRENT_WINDOW
+        _aim()
+
+
+def be_strict(on: bool) -> None:
+    """Make every error an exception, or do so no longer."""
+    KERNEL.result.strict = on
+    _aim()
 
 
 def _reach(which: int, target: Graphics) -> None:
-    global screen
     _reached[which] = target
-    if which == number:
-        screen = target
+    _aim()
+
+
+def _aim() -> None:
+    """Have the calls reach what belongs to the current screen."""
+    global screen
+    target = _reached.get(number, _NOT_LOADED)
+    strict = KERNEL.result.strict and isinstance(target, Graphics)
+    screen = cast(Graphics, Strict(target)) if strict else target
 
 
 def _lost(which: int, error: BGIError) -> None:

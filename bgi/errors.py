@@ -9,6 +9,26 @@ class BGIError(RuntimeError):
     """A call that cannot be carried out: no graphics mode, no window, no key to wait for."""
 
 
+class GraphicsError(BGIError):
+    """What graphresult() would report, raised at once: strict() asks for it.
+
+    `function` is the call's name, `arguments` what was given by name, `code` Borland's error code.
+    """
+
+    def __init__(
+        self, function: str, arguments: dict[str, object], code: int, message: str, why: str = ""
+    ) -> None:
+        given = ", ".join(f"{name}={value!r:.60}" for name, value in arguments.items())
+        super().__init__(f"{function}({given}): {message} ({code}){why and ': '}{why}")
+        self.function = function
+        self.arguments = arguments
+        self.code = code
+
+
+class BGIWarning(UserWarning):
+    """A call that C would have taken, and that can hardly mean what it says."""
+
+
 class WindowClosed(BGIError):
     """The user closed the window; raised by the program's next call.
 

@@ -5,6 +5,9 @@ Source: graphics.h, unless a function says otherwise.
 
 from __future__ import annotations
 
+import warnings
+from contextlib import ExitStack
+
 from bgi import current
 from bgi.constants import (
     CURRENT_DRIVER,
@@ -16,6 +19,7 @@ from bgi.constants import (
     grNotDetected,
     grOk,
 )
+from bgi.errors import BGIWarning
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.drivers import Detect
 from bgi.kernel.state import KERNEL
@@ -23,7 +27,7 @@ from bgi.kernel.state import KERNEL
 # fmt: off
 __all__ = [
     "detectgraph", "initgraph", "closegraph", "setgraphmode", "restorecrtmode", "getmoderange",
-    "graphresult", "grapherrormsg",
+    "graphresult", "grapherrormsg", "strict",
     "installuserdriver", "registerbgidriver", "registerfarbgidriver",
     "installuserfont", "registerbgifont", "registerfarbgifont",
     "setgraphbufsize", "_graphgetmem", "_graphfreemem",
@@ -49,8 +53,8 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
 
     Returns the driver and mode in use. An unknown driver returns (-3, gm), a negative one (-2, gm),
     and graphresult() says the same; an unknown mode returns (gd, gm) and graphresult() says -10; no
-    screen opens then. A second
-    initgraph goes on in the same window. Raises BGIError if the window cannot be opened.
+    screen opens then, and a BGIWarning says why. A second initgraph goes on in the same window.
+    Raises BGIError if the window cannot be opened.
     """
     driver, number = whole("gd", gd), whole("gm", gm)
     if not isinstance(path, str):
@@ -62,16 +66,32 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     if name is not None:
         KERNEL.result.driver_file = f"{name}.BGI"
     if mode is not None:
-        current.open_screen(mode)
-        current.screen.path = path
+        current.open_screen(mode).path = path
         KERNEL.result.set(grOk)
         return driver, number
-    if KERNEL.drivers.mode_range(driver) != (-1, -1):
-        KERNEL.result.set(grInvalidMode)
-        return driver, number
-    failure = grFileNotFound if driver > 0 else grNotDetected
-    KERNEL.result.set(failure)
-    return failure, number
+    KERNEL.why_no_screen = why = _why_no_screen(driver, number)
+    known = KERNEL.drivers.mode_range(driver) != (-1, -1)
+    code = grInvalidMode if known else grFileNotFound if driver > 0 else grNotDetected
+    KERNEL.result.set(code, why)
+    warnings.warn(why, BGIWarning, stacklevel=2)
+    return driver if known else code, number
+
+
+def _why_no_screen(driver: int, number: int) -> str:
+    """What is wrong with a driver or mode that initgraph() was given."""
+    low, high = KERNEL.drivers.mode_range(driver)
+    name = KERNEL.drivers.name(driver)
+    if low >= 0:
+        return f"driver {driver} ({name}) has no mode {number}, only {low} to {high}"
+    if name is not None:
+        return f"driver {driver} ({name}) has no file: there is nothing to open"
+    size = min(driver, number) >= SMALLEST
+    hint = f"; for a window of that size: initwindow({driver}, {number})" if size else ""
+    return f"driver {driver} does not exist{hint}"
+
+
+SMALLEST = 64
+"""The smallest window that somebody may have meant who gives its size in place of a driver."""
 
 
 def closegraph() -> None:
@@ -129,6 +149,24 @@ def graphresult() -> int:
     Ask once and keep the answer: the second question is answered with 0.
     """
     return KERNEL.result.take()
+
+
+def strict(on: bool = True) -> ExitStack:
+    """Make an exception of every error that graphresult() would report, from now on.
+
+    Args:
+        on: False ends it.
+
+    In `with strict():` only the block is strict. The GraphicsError says which call it was, what was
+    given, Borland's code and message. Strict mode also refuses what Borland's functions took in
+    silence: a colour that the mode does not have, and a flood that reaches all four sides of the
+    viewport. A refused call changes nothing. Source: this package.
+    """
+    before = KERNEL.result.strict
+    current.be_strict(bool(on))
+    after = ExitStack()
+    after.callback(current.be_strict, before)
+    return after
 
 
 def grapherrormsg(code: Number) -> str:

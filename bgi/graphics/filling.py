@@ -15,7 +15,7 @@ from bgi.kernel.arguments import CHUNK, Number, Numbers, polygon_points, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
-from bgi.raster.polygons import Point
+from bgi.raster.polygons import Point, Rows
 from bgi.raster.spans import NO_SPANS
 from bgi.settings import fillsettingstype
 
@@ -197,8 +197,17 @@ class Filling(Pen):
         self._each(self._floodfill, x=x, y=y, border=border)
 
     def _floodfill(self, x: int, y: int, border: int) -> None:
+        self.page.fill_rows(self._area(x, y, border), self._fill_ink, self._fill_rows)
+
+    def _area(self, x: int, y: int, border: int) -> Rows:
+        """The area that a flood from there would fill."""
         x, y, border = x + self._dx, y + self._dy, border & self._mask
-        self.page.flood(x, y, border, self._fill_ink, self._fill_rows)
+        return self.page.area(x, y, border, self._fill_ink, self._fill_rows)
+
+    def _overflows(self, x: int, y: int, border: int) -> bool:
+        """Whether a flood from there would reach all four sides of the viewport."""
+        rows, starts, ends = self._area(x, y, border)
+        return bool(rows) and (min(starts), rows[0], max(ends), rows[-1]) == self.page.box
 
 
 def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:

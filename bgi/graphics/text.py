@@ -44,13 +44,14 @@ class Text(State):
         """Choose font, direction and size; a font that cannot be had gives the built-in one."""
         number, way = whole("font", font), whole("direction", direction)
         size = whole("charsize", charsize)
-        self._font = None
+        loaded = None
         if number != DEFAULT_FONT:
             try:
-                self._font = KERNEL.fonts.load(number, self.path)
+                loaded = KERNEL.fonts.load(number, self.path)
             except FontError as error:
                 KERNEL.result.set(error.code)
             KERNEL.result.font_file = KERNEL.fonts.file(number) or KERNEL.result.font_file
+        self._font = loaded
         style = self.settings.text
         known = DEFAULT_FONT if self._font is None else number
         self.settings.text = textsettingstype(known, way, size, style.horiz, style.vert)

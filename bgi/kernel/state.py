@@ -22,8 +22,10 @@ from bgi.constants import (
     grNotDetected,
     grOk,
 )
+from bgi.errors import GraphicsError
 from bgi.fonts.layout import Scale
 from bgi.fonts.table import FontTable
+from bgi.kernel.callers import call
 from bgi.kernel.drivers import DriverTable
 
 MESSAGES = {
@@ -56,10 +58,14 @@ class Result:
         self._code = grOk
         self.driver_file = ""
         self.font_file = ""
+        self.strict = False
+        """Whether every error is raised as well: see `bgi.strict`."""
 
-    def set(self, code: int) -> None:
-        """Remember `code` until somebody asks."""
+    def set(self, code: int, why: str = "") -> None:
+        """Remember `code` until somebody asks; in strict mode raise it, with `why` in its words."""
         self._code = code
+        if self.strict and code != grOk:
+            raise GraphicsError(*call(), code, self.message(code), why)
 
     def take(self) -> int:
         """Return the code and clear it, as graphresult() does."""
@@ -90,6 +96,8 @@ class Kernel:
         """What setusercharsize() was given last."""
         self.bufsize = 4096
         """What setgraphbufsize() was given last, in bytes."""
+        self.why_no_screen = ""
+        """What was wrong with the last initgraph(), if it opened no screen."""
         self.seed = 1
         """The state of Borland's random numbers: see `bgi.dos.rand`."""
 

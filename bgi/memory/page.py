@@ -206,18 +206,19 @@ class Page:
             np.not_equal(self.array[part], self._inked(mask, color), out=marks[part])
             marks[part] |= ~mask.any(axis=1, keepdims=True)
 
-    def flood(self, x: int, y: int, border: int, color: int, rows: bytes) -> None:
-        """Fill the area around x, y up to a border colour."""
-        if not (self._left <= x <= self._right and self._top <= y <= self._bottom):
-            return
+    def area(self, x: int, y: int, border: int, color: int, rows: bytes) -> Rows:
+        """The area around x, y up to a border colour, as a fill with that colour would find it."""
         inside, unfilled = self._marks
-        self.mark_unfilled(border, SOLID_ROWS, inside)
-        if inside[y * self.width + x]:
-            self.mark_unfilled(color, rows, unfilled)
-            # The driver looks for a pixel to go on from between the first and the last column only.
-            shape = self.height, self.width
-            np.frombuffer(unfilled, np.bool_).reshape(shape)[:, [self._left, self._right]] = False
-            self.fill_rows(flood(inside, unfilled, self.width, x, y), color, rows)
+        if self._left <= x <= self._right and self._top <= y <= self._bottom:
+            self.mark_unfilled(border, SOLID_ROWS, inside)
+            if inside[y * self.width + x]:
+                self.mark_unfilled(color, rows, unfilled)
+                # The driver looks for a pixel to go on from between the outer columns only.
+                shape = self.height, self.width
+                seen = np.frombuffer(unfilled, np.bool_).reshape(shape)
+                seen[:, [self._left, self._right]] = False
+                return flood(inside, unfilled, self.width, x, y)
+        return [], [], []
 
     def _inked(self, mask: Mask, color: int) -> Pixels:
         """A colour where the mask is set, index 0 elsewhere."""

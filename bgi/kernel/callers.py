@@ -1,0 +1,19 @@
+"""Which call of ours a program has made: for the words of an error."""
+
+import inspect
+from types import FrameType
+
+
+def call() -> tuple[str, dict[str, object]]:
+    """The call under way, the outermost one in this package: its name, and its arguments."""
+    frame, outer = inspect.currentframe(), None
+    while frame is not None and _is_ours(frame):
+        frame, outer = frame.f_back, frame
+    assert outer is not None
+    names = inspect.getargs(outer.f_code).args
+    return outer.f_code.co_name, {name: outer.f_locals[name] for name in names if name != "self"}
+
+
+def _is_ours(frame: FrameType) -> bool:
+    name = frame.f_globals.get("__name__", "")
+    return name.startswith("bgi.") and not name.startswith("bgi.demos")
