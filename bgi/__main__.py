@@ -19,6 +19,7 @@ from types import ModuleType, TracebackType
 
 from bgi import __version__, current
 from bgi.fonts import DATA
+from bgi.kernel import hints
 from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly, twins
 from bgi.monitor import ending
@@ -148,6 +149,7 @@ def _report(error: BaseException) -> int:
     traceback: TracebackType | None = error.__traceback__
     while traceback and traceback.tb_frame.f_code.co_filename == __file__:
         traceback = traceback.tb_next
+    hints.add_to(error, traceback)
     try:
         sys.excepthook(type(error), error.with_traceback(traceback), traceback)
     except SystemExit as end:

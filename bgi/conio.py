@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import warnings
+
 from bgi import current
+from bgi.errors import BGIWarning
 from bgi.kernel.arguments import Number, whole
 
 __all__ = ["EOF", "getch", "getche", "kbhit", "ungetch"]
@@ -29,7 +32,33 @@ def getch() -> int:
     WindowClosed if the window is closed meanwhile, and NobodyThere, a kind of it, without a window
     once the scripted keys (BGI_KEYS) are used up. Source: conio.h.
     """
-    return current.screen.monitor.read_key()
+    return _KEYS[current.screen.monitor.read_key()]
+
+
+class Key(int):
+    """The code of a key: a number, but it warns whoever compares it with a text."""
+
+    __slots__ = ()
+    __hash__ = int.__hash__
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            _warn(other)
+        return int.__eq__(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        if isinstance(other, str):
+            _warn(other)
+        return int.__ne__(self, other)
+
+
+_KEYS = [Key(code) for code in range(256)]
+
+
+def _warn(text: str) -> None:
+    """Point at the line of the program that compares a key with a text."""
+    number = f"ord({text!r})" if len(text) == 1 else "the number of one, such as ord('q')"
+    warnings.warn(f"getch() returns a number; compare with {number}", BGIWarning, stacklevel=3)
 
 
 def getche() -> int:

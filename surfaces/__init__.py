@@ -16,6 +16,7 @@ surface as an array of points), `visible` (what is seen of it), `systems` (what 
 `plot` puts them together.
 """
 
+import surfaces.beside  # noqa: F401  (first)
 from surfaces.animation import PillowMissing, save_gif
 from surfaces.explorer import Explorer, explore
 from surfaces.formulas import FormulaError, formula

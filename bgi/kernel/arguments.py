@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.kernel.hints import for_argument
+
 Number = int | float | np.integer[Any] | np.floating[Any]
 Numbers = Number | list[Any] | tuple[Any, ...] | range | NDArray[Any]
 """A number, or what `is_array` accepts; a Sequence would let a str pass.
@@ -40,7 +42,8 @@ def whole(name: str, value: object) -> int:
     except TypeError:
         pass
     if not isinstance(value, (float, np.floating)):
-        raise TypeError(f"{name} must be a number, not {type(value).__name__}: {value!r:.60}")
+        hint = for_argument(name, value)
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}: {value!r:.60}{hint}")
     if not np.isfinite(value):
         raise ValueError(f"{name} must be a finite number, not {value!r}")
     return int(value)

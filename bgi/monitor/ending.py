@@ -15,6 +15,7 @@ from collections.abc import Callable
 from types import TracebackType
 
 from bgi.errors import TimeIsUp, WindowClosed
+from bgi.kernel import hints
 
 GRACE_SECONDS = 1.0  # in which a program may make a call, and so learn that its time is up
 
@@ -31,6 +32,7 @@ def follow_program(close: Callable[[], None]) -> None:
     ) -> None:
         why = reason(error)
         if why is None:
+            hints.add_to(error, traceback)
             before(kind, error, traceback)
             return
         _say(why)

@@ -78,8 +78,8 @@ def ended(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Ended]:
     def end(statement: str, after: str = "") -> tuple[int, list[str]]:
         (tmp_path / "program.py").write_text(BEGINNING + statement + "\n")
         if request.param == "python -m bgi":
-            plan = ["--after", after] if after else []
-            options = ["--monitor", "none", "--shot", "s.png", *plan]
+            options = ["--monitor", "none", "--shot", "s.png"]
+            options += ["--after", after] if after else []
             done = run("-m", "bgi", *options, "program.py", cwd=tmp_path)
             said = done.stderr.splitlines()
             said.remove(f"bgi: {tmp_path / 's.png'} was written")
