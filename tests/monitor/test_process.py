@@ -12,14 +12,21 @@ from tests.processes import posix
 
 HOME = str(Path(__file__).resolve().parents[2])
 OPENS = "from bgi import *\ninitgraph()\ncircle(9, 9, 5)\nswapbuffers()\nprint(getpixel(14, 9))\n"
-WINDOW = {"BGI_MONITOR": "window", "SDL_VIDEODRIVER": "dummy"}
 
 
 def run(
-    *arguments: object, cwd: Path, path: str = HOME, **more: object
+    *arguments: object,
+    cwd: Path,
+    path: str = HOME,
+    monitor: str = "window",
+    **more: object,
 ) -> subprocess.CompletedProcess[str]:
-    """A program of its own in a folder, with a window on SDL's dummy driver."""
-    environment = os.environ | WINDOW | {"PYTHONPATH": path}
+    """A program of its own in a folder; its window is on SDL's dummy driver."""
+    environment = os.environ | {
+        "BGI_MONITOR": monitor,
+        "SDL_VIDEODRIVER": "dummy",
+        "PYTHONPATH": path,
+    }
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
         cwd=cwd,
@@ -142,3 +149,33 @@ print(getmaxy(), getpixel(5, 5), getpixel(50, 50))
         "479 15 15",
     ]
     assert ran.stderr == ""
+
+
+@posix
+@pytest.mark.parametrize("monitor", ["window", "none"])
+def test_a_signal_handler_may_make_any_call(tmp_path: Path, monitor: str) -> None:
+    """It comes in the middle of another call, even of the same one, whatever that holds."""
+    source = """
+import signal, time
+from bgi import *
+from bgi import mouse
+def call():
+    kbhit(), mousex(), ismouseclick(WM_LBUTTONDOWN), mouse.buttons(), clearmouseclick(WM_MOUSEMOVE)
+    circle(99, 99, 50), floodfill(99, 99, 15), getimage(0, 0, 20, 20), swapbuffers()
+count = 0
+def handler(number, frame):
+    global count
+    count += 1
+    call()
+    signal.setitimer(signal.ITIMER_REAL, 0.0005)
+initgraph(VGA, VGAHI)
+signal.signal(signal.SIGALRM, handler)
+signal.setitimer(signal.ITIMER_REAL, 0.0005)
+end = time.monotonic() + 2
+while time.monotonic() < end:
+    call()
+signal.setitimer(signal.ITIMER_REAL, 0)
+print(count > 5)
+"""
+    ran = run("-c", source, cwd=tmp_path, monitor=monitor)
+    assert (ran.stdout, ran.stderr, ran.returncode) == ("True\n", "", 0)

@@ -452,3 +452,15 @@ def test_choose_opens_a_window(card: Card, monkeypatch: pytest.MonkeyPatch) -> N
     monitor.show()
     assert not monitor.key_waiting()
     monitor.close()
+
+
+def test_a_signal_handler_may_ask_while_a_call_holds_a_lock(window: Window) -> None:
+    """It runs in the thread that it interrupts: a lock that waits for itself waits for ever."""
+    window.keys.put(b"a")
+    with window.mouse._lock, window.keys._changed, window._news:
+        assert window.key_waiting()
+        assert window.read_key() == ord("a")
+        window.mouse.move(1, 2)
+        assert window.mouse.take_wheel() == 0
+        window.show()
+        window.sleep(1)
