@@ -1,7 +1,9 @@
 """Time, sound, chance and the BIOS keyboard: dos.h, and parts of time.h, stdlib.h and bios.h.
 
 `from bgi import *` does not bring these names, since Python has a `random` and a `time` of its own:
-write `from bgi import dos`. After `from bgi.dos import *` those two names mean Borland's.
+write `from bgi import dos`, and `dos.random(6)`. `from bgi.dos import *` brings what dos.h has, but
+for its structure `time`: a program's own `time` and `random` stay what they are. What another
+header has is imported by name, as in `from bgi.dos import random, randomize`.
 """
 
 from __future__ import annotations
@@ -10,33 +12,16 @@ import time as _time
 from dataclasses import dataclass
 
 from bgi import current
-from bgi.kernel.arguments import Number, whole
+from bgi.kernel.arguments import Number, real, whole
 from bgi.kernel.state import KERNEL
 from bgi.monitor.keyboard import bios_code
 
-__all__ = [
-    "CLK_TCK",
-    "CLOCKS_PER_SEC",
-    "RAND_MAX",
-    "bioskey",
-    "biostime",
-    "clock",
-    "date",
-    "delay",
-    "getdate",
-    "gettime",
-    "nosound",
-    "rand",
-    "random",
-    "randomize",
-    "sleep",
-    "sound",
-    "srand",
-    "time",
-]
+__all__ = ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
 
 CLK_TCK = CLOCKS_PER_SEC = 18.2
 """What clock() counts in a second: the PC's timer ticks."""
+
+_LONGEST = (1 << 31) - 1  # milliseconds: C's largest int; more than any clock here can count
 
 RAND_MAX = 32767
 """The largest number that rand() returns."""
@@ -67,34 +52,47 @@ class date:
 def delay(milliseconds: Number) -> None:
     """Wait a number of milliseconds; the window stays alive meanwhile.
 
+    Args:
+        milliseconds: 0 to 2147483647, which is 24 days.
+
     Without a window the time is counted, not waited for, so that a program under test runs at full
     speed. Before initgraph it simply waits. Raises WindowClosed if the window is closed meanwhile,
-    TypeError or ValueError for anything but a finite number, 0 or more. Source: dos.h.
+    TypeError or ValueError for anything but such a number. Source: dos.h.
     """
-    wait = float(milliseconds)
-    if not 0 <= wait < float("inf"):
-        raise ValueError(f"milliseconds must be a finite number of 0 or more, not {milliseconds!r}")
+    _wait("milliseconds", milliseconds, 1)
+
+
+def Sleep(milliseconds: Number) -> None:
+    """Wait a number of milliseconds, as delay() does: Windows' name for it. Source: windows.h."""
+    _wait("milliseconds", milliseconds, 1)
+
+
+def sleep(seconds: Number) -> None:
+    """Wait a number of seconds, as delay() waits milliseconds. Source: dos.h."""
+    _wait("seconds", seconds, 1000)
+
+
+def _wait(name: str, time: Number, unit: int) -> None:
+    """Wait so many times `unit` milliseconds."""
+    wait = real(name, time) * unit
+    if not 0 <= wait <= _LONGEST:
+        raise ValueError(f"{name} must be a finite number of 0 or more, at most {_LONGEST // unit}")
     if current.loaded() is None:
         _time.sleep(wait / 1000)
     else:
         current.screen.monitor.sleep(wait)
 
 
-def sleep(seconds: Number) -> None:
-    """Wait a number of seconds, as delay() waits milliseconds. Source: dos.h."""
-    delay(1000 * float(seconds))
-
-
 def gettime() -> time:
     """Return the time of day. Source: dos.h."""
     now = _now()
-    clock = _time.localtime(now)
+    clock = _local(now)
     return time(clock.tm_min, clock.tm_hour, int(now % 1 * 100), clock.tm_sec)
 
 
 def getdate() -> date:
     """Return today's date. Source: dos.h."""
-    day = _time.localtime(_now())
+    day = _local(_now())
     return date(day.tm_year, day.tm_mday, day.tm_mon)
 
 
@@ -115,7 +113,7 @@ def biostime(cmd: Number, newtime: Number = 0) -> int:
     if whole("cmd", cmd) != 0:
         raise ValueError(f"cmd must be 0: the clock can be read, not set; got {cmd!r}")
     now = _now()
-    day = _time.localtime(now)
+    day = _local(now)
     return int(((day.tm_hour * 60 + day.tm_min) * 60 + day.tm_sec + now % 1) * CLK_TCK)
 
 
@@ -123,6 +121,14 @@ def _now() -> float:
     """Seconds since 1970, by the monitor's clock where there is one: without a window it counts."""
     here = current.loaded()
     return _time.time() if here is None else current.reachable().monitor.time()
+
+
+def _local(now: float) -> _time.struct_time:
+    """A moment as the clock on the wall shows it."""
+    try:
+        return _time.localtime(now)
+    except (OSError, OverflowError, ValueError):
+        raise ValueError("the clock does not go so far: the program has waited too long") from None
 
 
 _BEGAN = _time.time()
@@ -172,13 +178,13 @@ def random(num: Number) -> int:
     """Return a random whole number from 0 to num - 1, as Turbo C++ 3 computed it.
 
     Args:
-        num: how many numbers there are to choose from, 1 to 32767.
+        num: how many numbers there are to choose from, 1 to 32767; of none, 0, comes a 0.
 
-    ValueError for a number that is not positive. Source: stdlib.h.
+    ValueError for a number below 0. Source: stdlib.h.
     """
     count = whole("num", num)
-    if count < 1:
-        raise ValueError(f"num must be 1 or more, not {count}")
+    if count < 0:
+        raise ValueError(f"num must be 0 or more, not {count}")
     return rand() * count >> 15
 
 

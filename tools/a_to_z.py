@@ -62,6 +62,14 @@ SOURCES = {
 }
 """The files that define the constants of each module."""
 
+STAR_LACKS = {
+    "dos.": [
+        *("CLK_TCK", "CLOCKS_PER_SEC", "RAND_MAX", "Sleep", "bioskey", "biostime", "clock"),
+        *("rand", "random", "randomize", "srand", "time"),
+    ]
+}
+"""Public names that `from bgi.dos import *` does not bring."""
+
 STARS = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
 
 HEAD = """# A–Z
@@ -88,6 +96,11 @@ class Described(NamedTuple):
         return f"| `{self.written}` | {self.what} |"
 
 
+def names(prefix: str) -> list[str]:
+    """The public names of a module."""
+    return [*MODULES[prefix].__all__, *STAR_LACKS.get(prefix, [])]
+
+
 # What is said of the names
 
 
@@ -96,7 +109,7 @@ def described() -> dict[str, Described]:
     found: dict[str, Described] = {}
     known: list[Any] = []
     for prefix, module in MODULES.items():
-        for name in module.__all__:
+        for name in names(prefix):
             value = getattr(module, name)
             if callable(value) and value not in known:  # getch is in bgi and in bgi.conio
                 known.append(value)
@@ -210,7 +223,7 @@ def lines() -> Iterator[tuple[str, str]]:
         yield name, line(written, what, pages[name][0])
     for prefix, module in MODULES.items():
         said = {k: v for file in SOURCES[prefix] for k, v in said_of_constants(ROOT / file).items()}
-        for name in module.__all__:
+        for name in names(prefix):
             value = getattr(module, name)
             if isinstance(value, (int, float, str)):
                 yield name, line(f"{prefix}{name} = {value!r}", said[name], GROUPS[said[name]])

@@ -5,6 +5,7 @@ Source: graphics.h, unless a function says otherwise.
 
 from __future__ import annotations
 
+import os
 import warnings
 from contextlib import ExitStack
 
@@ -43,13 +44,16 @@ def detectgraph() -> tuple[int, int]:
     return VGA, VGAHI
 
 
-def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int, int]:
+def initgraph(
+    gd: Number = DETECT, gm: Number = 0, path: str | os.PathLike[str] | None = ""
+) -> tuple[int, int]:
     """Open the graphics screen: the window appears, black, with all settings at their defaults.
 
     Args:
         gd: the driver, VGA for one; DETECT (0) takes the best, and then `gm` is ignored.
         gm: one of the driver's modes, VGAHI for one (640x480 in 16 colours).
-        path: where Borland's drivers and fonts used to lie, such as "C:\\\\TC\\\\BGI"; any will do.
+        path: where Borland's drivers and fonts used to lie, such as "C:\\\\TC\\\\BGI"; any will do,
+            and so will None, C's NULL.
 
     Returns the driver and mode in use. An unknown driver returns (-3, gm), a negative one (-2, gm),
     and graphresult() says the same; an unknown mode returns (gd, gm) and graphresult() says -10; no
@@ -57,7 +61,8 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     Raises BGIError if the window cannot be opened.
     """
     driver, number = whole("gd", gd), whole("gm", gm)
-    if not isinstance(path, str):
+    folder = "" if path is None else path
+    if not isinstance(folder, (str, os.PathLike)):
         raise TypeError(f"path must be a str, not {type(path).__name__}: {path!r:.60}")
     if driver == DETECT:
         driver, number = KERNEL.drivers.autodetect() or detectgraph()
@@ -66,7 +71,7 @@ def initgraph(gd: Number = DETECT, gm: Number = 0, path: str = "") -> tuple[int,
     if name is not None:
         KERNEL.result.driver_file = f"{name}.BGI"
     if mode is not None:
-        current.open_screen(mode).path = path
+        current.open_screen(mode).path = os.fsdecode(folder)
         KERNEL.result.set(grOk)
         return driver, number
     KERNEL.why_no_screen = why = _why_no_screen(driver, number)

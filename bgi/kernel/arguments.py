@@ -49,6 +49,15 @@ def whole(name: str, value: object) -> int:
     return int(value)
 
 
+def real(name: str, value: object) -> int | float:
+    """One number as it is, an int of any size or a float; TypeError names the argument."""
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, (float, np.floating)):
+        return float(value)
+    return whole(name, value)
+
+
 def is_array(value: object) -> bool:
     """Whether an argument asks for the array form of a call."""
     return isinstance(value, (list, tuple, range)) or (

@@ -1,6 +1,7 @@
 """conio.h's keyboard and dos.h's time, sound and chance, without a window."""
 
 import itertools
+import random
 import time
 
 import pytest
@@ -112,10 +113,35 @@ def test_fields_are_in_borlands_order() -> None:
     assert repr(dos.date(1992, 2, 3)) == "date(da_year=1992, da_day=2, da_mon=3)"
 
 
-@pytest.mark.parametrize("wrong", [-1, float("nan"), float("inf")])
-def test_waiting_for_ever_is_refused(wrong: float) -> None:
-    with pytest.raises(ValueError, match="finite number of 0 or more"):
-        dos.sleep(wrong)
+@pytest.mark.parametrize("graphics", [False, True])
+@pytest.mark.parametrize("wrong", [-1, float("nan"), float("inf"), 1e300, 10**400, 1 << 31])
+def test_waiting_for_ever_is_refused(wrong: float, graphics: bool) -> None:
+    if graphics:
+        bgi.initgraph()
+    for wait in (dos.delay, dos.Sleep, dos.sleep):
+        with pytest.raises(ValueError, match="seconds must be a finite number of 0 or more, at"):
+            wait(wrong)
+
+
+def test_a_text_is_no_time() -> None:
+    with pytest.raises(TypeError, match="milliseconds must be a number, not str: '5'"):
+        dos.delay("5")
+
+
+def test_windows_sleep_counts_milliseconds() -> None:
+    bgi.initgraph()
+    before = monitor().now
+    dos.Sleep(1.5)
+    dos.Sleep((1 << 31) - 1)
+    assert round(monitor().now - before, 3) == (1 << 31) + 0.5
+
+
+def test_a_clock_that_has_gone_too_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    bgi.initgraph()
+    monkeypatch.setattr(monitor(), "time", lambda: 1e300)
+    for call in (dos.gettime, dos.getdate, lambda: dos.biostime(0)):
+        with pytest.raises(ValueError, match="the clock does not go so far"):
+            call()
 
 
 # Chance
@@ -127,8 +153,18 @@ def test_borlands_generator() -> None:
     dos.srand(1)
     assert [dos.random(100) for _ in range(3)] == [1, 0, 33]
     assert all(0 <= dos.random(7) < 7 for _ in range(1000))
-    with pytest.raises(ValueError, match="num must be 1 or more, not 0"):
-        dos.random(0)
+    assert dos.random(0) == 0  # as by the macro of stdlib.h, which counts it as a draw
+    with pytest.raises(ValueError, match="num must be 0 or more, not -1"):
+        dos.random(-1)
+
+
+def test_a_star_leaves_the_programs_time_and_random_alone() -> None:
+    brought: dict[str, object] = {}
+    exec("import random, time\nfrom bgi.dos import *", brought)
+    brought.pop("__builtins__")
+    assert brought.pop("time") is time
+    assert brought.pop("random") is random
+    assert sorted(brought) == ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
 
 
 def test_randomize_is_by_the_clock() -> None:

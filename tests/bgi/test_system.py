@@ -75,6 +75,18 @@ def test_impossible_modes(gd, gm, answer, code):
         bgi.line(0, 0, 1, 1)
 
 
+def test_initgraph_takes_a_path_and_null(tmp_path):
+    for path, kept in [(tmp_path, str(tmp_path)), (None, ""), ("X", "X")]:
+        assert bgi.initgraph(bgi.DETECT, 0, path) == (bgi.VGA, bgi.VGAHI)
+        assert bgi.current.screen.path == kept
+
+
+@pytest.mark.parametrize("module", ["conio", "dos", "mouse"])
+def test_the_modules_come_with_the_package(module):
+    """In a program of its own: the tests import them all."""
+    subprocess.run([sys.executable, "-c", f"import bgi; bgi.{module}"], check=True)
+
+
 def test_initgraph_with_wrong_types():
     for arguments in [("VGA",), (bgi.VGA, None), (bgi.VGA, 2, 7), (float("nan"),)]:
         with pytest.raises((TypeError, ValueError), match="must be"):
