@@ -5,9 +5,9 @@ three edges at the corner next to the eye, is drawn after. A box seen from any s
 of six edges, two along each axis: the axes are numbered there, where nothing is in the way.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 
@@ -124,28 +124,73 @@ class Frame:
         outward = np.array((-along[1], along[0])) / length
         if outward @ (ends.mean(axis=0) - self._middle((self.low, self.high))) < 0:
             outward = -outward
+        texts, places, note = self._numbers(axis, (start, stop), ends, outward)
+        written = [
+            (area, text)
+            for area, text in zip(places, texts, strict=True)
+            if area and not any(_touch(area, other) for other in taken)  # where two axes meet
+        ]
+        taken += [area for area, _ in written]
+        widest = max(map(len, texts), default=0)
+        name = f"{name} ({note})".strip() if note else name
+        place = self._free(self._beside(ends, outward, widest), name, taken)
+        if place:
+            self._write(place, name)
+            taken.append(place)
+        if place or not note:  # without their note numbers would be wrong
+            for area, text in written:
+                self._write(area, text)
+
+    def _numbers(
+        self, axis: int, edge: tuple[Doubles, Doubles], ends: Doubles, outward: Doubles
+    ) -> tuple[list[str], list[Area | None], str]:
+        """Draw the ticks of an axis; their numbers, where each belongs, and the note to them.
+
+        There are so many that no two touch.
+        """
+        low, high = edge[0][axis], edge[1][axis]
+        along, character = ends[1] - ends[0], self.pen.character
+        length = float(np.hypot(*along))
         # A number needs six characters' room along a level axis, two along an upright one.
         apart = character * (6 * abs(along[0]) + 2.5 * abs(along[1])) / length
-        values = ticks(start[axis], stop[axis], about=min(5, int(length / apart)))
-        texts = labels(values)
-        for value, text in zip(values, texts, strict=True):
-            part = (value - start[axis]) / ((stop[axis] - start[axis]) or 1.0)
-            foot = ends[0] + part * along
-            tip = foot + TICK * character * outward
-            self.pen.lines(foot[None], tip[None], self.pen.ink(EDGE_COLOR))
-            area = self._place(tip, outward, text)
-            if area and not any(_touch(area, other) for other in taken):  # where two axes meet
-                self._write(area, text, taken)
-        widest = max(map(len, texts), default=0)
-        clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
-        area = self._place(ends.mean(axis=0) + clear * outward, outward, name)
-        if area:
-            self._write(area, name, taken)
+        for about in range(max(1, min(5, int(length / apart))), 0, -1):
+            values = ticks(low, high, about)
+            texts, note = labels(values)
+            parts = (np.array(values) - low) / ((high - low) or 1.0)
+            feet = ends[0] + parts[:, None] * along
+            tips = feet + TICK * character * outward
+            places = [
+                self._place(tip, outward, text) for tip, text in zip(tips, texts, strict=True)
+            ]
+            there = [place for place in places if place]
+            if not any(_touch(one, next_) for one, next_ in pairwise(there)):
+                break
+        self.pen.lines(feet, tips, self.pen.ink(EDGE_COLOR))
+        return texts, places, note
 
-    def _write(self, area: Area, text: str, taken: list[Area]) -> None:
+    def _beside(
+        self, ends: Doubles, outward: Doubles, widest: int
+    ) -> Iterator[tuple[Doubles, Doubles]]:
+        """Where the name of an axis may stand, the best first, and which way from there."""
+        character = self.pen.character
+        clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
+        yield ends.mean(axis=0) + clear * outward, outward
+        onward = (ends[1] - ends[0]) / np.hypot(*(ends[1] - ends[0]))
+        yield ends[1] + 1.4 * character * onward, onward
+        yield ends[0] - 1.4 * character * onward, -onward
+
+    def _free(
+        self, places: Iterable[tuple[Doubles, Doubles]], text: str, taken: list[Area]
+    ) -> Area | None:
+        """The first of some places that is free, else the first on the screen, else None."""
+        areas = [self._place(at, away, text) for at, away in places]
+        there = [area for area in areas if area]
+        free = (area for area in there if not any(_touch(area, other) for other in taken))
+        return next(free, there[0] if there else None)
+
+    def _write(self, area: Area, text: str) -> None:
         (left, top), _ = area
         self.pen.text(left, top, text, self.pen.ink(TEXT_COLOR))
-        taken.append(area)
 
     def _place(self, at: Doubles, outward: Doubles, text: str) -> Area | None:
         """The area of a text a little outward from a point; None if that is off the screen."""
@@ -161,7 +206,7 @@ class Frame:
 
 def _touch(one: Area, other: Area) -> bool:
     """Whether two areas meet, or two texts in them would read as one."""
-    gap = np.array(((one[1] - one[0])[1] / 2, 0.0))
+    gap = np.array((1.0, 0.25)) * (one[1] - one[0])[1]  # of a character
     return bool((one[0] < other[1] + gap).all() and (other[0] < one[1] + gap).all())
 
 
@@ -190,8 +235,15 @@ def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
     pen.lines(around, np.roll(around, -1, axis=0), pen.ink(EDGE_COLOR))
     low, high = limits
     values = ticks(low, high, about=7)
+    texts, note = labels(values)
+    for line, part_of_note in enumerate(reversed(note.split())):
+        # Above the bar and its uppermost number, up to the edge of the screen.
+        above = top - (2 + 1.25 * line) * character
+        pen.text(
+            pen.width - character * len(part_of_note), above, part_of_note, pen.ink(TEXT_COLOR)
+        )
     tick = np.array((TICK * character, 0.0))
-    for number, text in zip(values, labels(values), strict=True):
+    for number, text in zip(values, texts, strict=True):
         part = (number - low) / ((high - low) or 1.0)
         at = np.array((right, bottom - 0.5 - part * (bottom - top)))
         pen.lines(at[None], (at + tick)[None], pen.ink(EDGE_COLOR))

@@ -27,7 +27,6 @@ from surfaces.shape.contours import contours
 from surfaces.shape.fields import field
 from surfaces.space.view import View
 from surfaces.systems.colors import UNDER, UPPER
-from surfaces.ticks import labels, ticks
 from surfaces.visible.pictures import HeightPicture
 from tests.surfaces.raycast import Canvas
 
@@ -208,37 +207,6 @@ def test_hidden_contours_are_not_drawn(holes: bool) -> None:
 
 
 # Numbers, box and axes ---------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("low", "high", "about", "expected"),
-    [
-        (0, 10, 5, [0, 2, 4, 6, 8, 10]),
-        (-1, 1, 5, [-1, -0.5, 0, 0.5, 1]),
-        (0.13, 0.97, 4, [0.2, 0.4, 0.6, 0.8]),
-        (0, 1e6, 5, [0, 2e5, 4e5, 6e5, 8e5, 1e6]),
-        (5, 5, 4, [5]),
-    ],
-)
-def test_ticks(low: float, high: float, about: int, expected: list[float]) -> None:
-    assert ticks(low, high, about) == pytest.approx(expected)
-
-
-@given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6), st.integers(1, 12))
-def test_ticks_are_round_and_inside(low: float, size: float, about: int) -> None:
-    found = ticks(low, low + size, about)
-    slack = 1e-6 * size + 4 * np.spacing(abs(low) + size)
-    assert all(low - slack <= tick <= low + size + slack for tick in found)
-    assert len(found) <= 2 * about + 2
-    assert len(labels(found)) == len(found)
-
-
-def test_labels() -> None:
-    assert labels([0.0, 0.5, 1.0]) == ["0.0", "0.5", "1.0"]
-    assert labels([-2.0, 0.0, 2.0]) == ["-2", "0", "2"]
-    assert labels([0.0, 200000.0, 400000.0]) == ["0e0", "2e5", "4e5"]
-    assert labels([-0.0, 1.0]) == ["0", "1"]
-    assert labels([5.25]) == ["5.25"]
 
 
 @pytest.mark.parametrize("turn", [0, 1, 2.5, 4])
