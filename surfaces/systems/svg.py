@@ -9,6 +9,7 @@ Its functions are graphics.h's, one shape each. That is all a graphics system ne
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -23,6 +24,9 @@ SIXTEEN = (
     *("#555555", "#5555ff", "#55ff55", "#55ffff", "#ff5555", "#ff55ff", "#ffff55", "#ffffff"),
 )
 
+NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""Control characters and halves of surrogate pairs, which no XML file may hold (XML 1.0, 2.2)."""
+
 
 class Svg:
     """A drawing of width by height units, with 256 colours on a background."""
@@ -33,7 +37,7 @@ class Svg:
     def __init__(self, width: int = 640, height: int = 480, background: str = "#000000") -> None:
         self._size = width, height
         self._palette = [*SIXTEEN, *("#ffffff",) * 240]
-        self._palette[0] = background
+        self._palette[0] = _xml(background)
         self._color, self._fill = WHITE, WHITE
         self._shapes: list[str] = []
 
@@ -87,7 +91,7 @@ class Svg:
         ink = self._palette[self._color]
         self._shapes.append(
             f'<text x="{x}" y="{y + 7}" textLength="{8 * len(text)}" fill="{ink}">'
-            f"{escape(text)}</text>"
+            f"{_xml(text)}</text>"
         )
 
     def __str__(self) -> str:
@@ -107,4 +111,10 @@ class Svg:
 
     def save(self, path: str | Path) -> None:
         """Write the drawing to a file."""
-        Path(path).write_text(str(self), encoding="utf-8")
+        document = str(self).encode()  # before an old file is emptied
+        Path(path).write_bytes(document)
+
+
+def _xml(text: str) -> str:
+    """A text as XML holds it, also between quotation marks; what it cannot hold as U+FFFD."""
+    return escape(NOT_XML.sub("\ufffd", text), {'"': "&quot;"})

@@ -147,6 +147,34 @@ def test_svg_has_every_call(tmp_path: Any) -> None:
     assert (svg.getmaxx(), svg.getmaxy(), svg.getmaxcolor(), svg.getcolor()) == (99, 49, 255, 0)
 
 
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [("a\x01b", "a\ufffdb"), ("\0", "\ufffd"), ("\x1b[31m", "\ufffd[31m"), ("\ud800", "\ufffd")]
+    + [(same, same) for same in ("<&>\"'", "𝛼 < β", "a\tb")],
+)
+def test_svg_holds_any_text(text: str, shown: str, tmp_path: Path) -> None:
+    svg = Svg()
+    svg.outtextxy(5, 5, text)
+    svg.save(tmp_path / "a.svg")
+    root = ElementTree.parse(tmp_path / "a.svg").getroot()
+    assert [child.text for child in root if child.tag.endswith("text")] == [shown]
+
+
+def test_svg_takes_its_background_as_a_color_only() -> None:
+    evil = '"/><script>alert(1)</script><rect fill="'
+    root = ElementTree.fromstring(str(Svg(background=evil)))
+    assert [(child.tag.split("}")[1], child.attrib["fill"]) for child in root] == [("rect", evil)]
+
+
+def test_svg_that_cannot_be_written_leaves_the_old_file(tmp_path: Path) -> None:
+    file = tmp_path / "a.svg"
+    file.write_text("old", encoding="utf-8")
+    unwritable: Any = "\ud800"
+    with pytest.raises(UnicodeEncodeError):
+        Svg(width=unwritable).save(file)
+    assert file.read_text(encoding="utf-8") == "old"
+
+
 def test_text_draws_with_characters() -> None:
     page = Text(60, 24)
     surface(lambda x, y: -x * x - y * y, (-1, 1), (-1, 1), n=40, on=page, title="a hill", zfrac=0.4)
