@@ -23,8 +23,8 @@ from bgi.kernel import hints
 from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly, twins
 from bgi.monitor import ending
-from bgi.monitor.keyboard import parse_script
-from bgi.monitor.plan import note, parse_time, written
+from bgi.monitor.keyboard import parse_script, parse_time
+from bgi.monitor.plan import note, written
 from bgi.monitor.recorder import missing
 
 VARIABLES = {
@@ -90,7 +90,7 @@ def _parser() -> argparse.ArgumentParser:
         "--monitor", choices=("window", "none"), help="where to draw (default: where there is room)"
     )
     parser.add_argument(
-        "--keys", type=_script, metavar='"1 Left Esc"', help="keys to press for the program"
+        "--keys", type=_script, metavar='"1 Left Wait2s Esc"', help="keys to press for the program"
     )
     parser.add_argument("--shot", metavar="FILE.png", help="write what is on the screen at the end")
     parser.add_argument(

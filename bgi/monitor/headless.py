@@ -10,6 +10,7 @@ import os
 import sys
 import threading
 import time
+from collections import deque
 from collections.abc import Callable
 
 from bgi.errors import BGIError, NobodyThere, TimeIsUp
@@ -64,7 +65,8 @@ class Headless:
         self._on_lost = on_lost
         self._over: TimeIsUp | None = None
         self._closed = threading.Event()
-        self._keys.load(self._plan.keys)
+        self._coming = deque(self._plan.keys)  # the keys that are not pressed yet
+        self._press_keys()
         self._keys.close(
             NobodyThere(
                 "nobody can press a key here, for there is no window; "
@@ -103,9 +105,15 @@ class Headless:
         return self._keys.take()
 
     def _wait_for_key(self) -> None:
-        if not self._keys.waiting() and self._plan.after < math.inf:
+        if not self._keys.waiting() and self._coming:
+            self._pass(1000 * self._coming[0].due - self.now)
+        elif not self._keys.waiting() and self._plan.after < math.inf:
             self._pass(math.inf)
         self._pass(0 if self._expected else KEY)
+
+    def _press_keys(self) -> None:
+        while self._coming and 1000 * self._coming[0].due <= self.now:
+            self._keys.load([self._coming.popleft().keystroke])
 
     @property
     def keys(self) -> KeyQueue:
@@ -161,6 +169,7 @@ class Headless:
             self._record(self._card)
         end = 1000 * self._plan.after
         self.now = min(self.now + milliseconds, end)
+        self._press_keys()
         if self.now >= end:
             raise self._end()
 

@@ -6,10 +6,13 @@ pygame's keys into these bytes; `parse_script` does so for keys written down as 
 makes of them what the BIOS knew a key by.
 """
 
+import math
+import re
 import sys
 import threading
 from collections import deque
 from collections.abc import Iterable
+from typing import NamedTuple
 
 from bgi.memory.sdl import pygame
 
@@ -152,13 +155,32 @@ def _text(characters: str) -> bytes:
     return characters.encode("cp437", "replace").replace(b"\0", b"\0\x03")
 
 
-def parse_script(script: str) -> list[bytes]:
-    """Keystrokes from words, `"1 w Left Esc"`: single characters as themselves, keys by name.
+class Stroke(NamedTuple):
+    """A keystroke of a script."""
+
+    due: float
+    """When it is there to be read, in seconds after the start."""
+    keystroke: bytes
+
+
+def parse_script(script: str) -> list[Stroke]:
+    """Keystrokes from words, `"1 w Left Wait2s Esc"`: characters as themselves, keys by name.
 
     Names in any case: Esc Enter Space Tab Backspace Up Down Left Right Home End PgUp PgDn Ins Del
-    F1 ... F12. ValueError names a word that is neither.
+    F1 ... F12; Wait2s or Wait500ms puts off all that follows. ValueError names any other word.
     """
-    return [_keystroke(word) for word in script.split()]
+    strokes: list[Stroke] = []
+    now = 0.0
+    for word in script.split():
+        pause = _PAUSE.fullmatch(word)
+        if pause:
+            now += parse_time(pause[1])
+        else:
+            strokes.append(Stroke(now, _keystroke(word)))
+    return strokes
+
+
+_PAUSE = re.compile("wait(.+)", re.IGNORECASE)
 
 
 def _keystroke(word: str) -> bytes:
@@ -169,8 +191,21 @@ def _keystroke(word: str) -> bytes:
     except KeyError:
         raise ValueError(
             f"{word!r} is not a key: write a single character, Esc, Enter, Space, Tab, Backspace, "
-            "Up, Down, Left, Right, Home, End, PgUp, PgDn, Ins, Del or F1 to F12"
+            "Up, Down, Left, Right, Home, End, PgUp, PgDn, Ins, Del or F1 to F12, "
+            "or Wait2s to put off what follows"
         ) from None
+
+
+def parse_time(text: str) -> float:
+    """A time such as 2s, 2.5 or 500ms, in seconds; ValueError if it is none."""
+    number, unit = (text[:-2], 0.001) if text.endswith("ms") else (text.removesuffix("s"), 1)
+    try:
+        seconds = float(number) * unit
+    except ValueError:
+        seconds = -1
+    if not 0 < seconds < math.inf:
+        raise ValueError(f"{text!r} is not a time: write 2s, 2.5s or 500ms")
+    return seconds
 
 
 # The scan codes of a US keyboard, row by row; Shift and Ctrl change nothing.

@@ -3,7 +3,7 @@
 `python -m bgi` hands its options on in these variables, so they work without it, too:
 
     ============  =================================================================
-    BGI_KEYS      keys that are "pressed", as in ``1 w Left Esc``
+    BGI_KEYS      keys that are "pressed", as in ``1 w Left Wait2s Esc``
     BGI_SHOT      a file for a picture of the screen at the end
     BGI_AFTER     when that is, as in ``2s``, ``2.5`` or ``500ms``; unset: when the
                   program closes the screen, or ends
@@ -21,7 +21,7 @@ from pathlib import Path
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
-from bgi.monitor.keyboard import parse_script
+from bgi.monitor.keyboard import Stroke, parse_script, parse_time
 from bgi.monitor.picture import shot
 from bgi.monitor.recorder import missing
 
@@ -33,7 +33,7 @@ written: dict[str, bool] = {}
 class Plan:
     """Keystrokes to come; files ("": none) for a picture and a recording; seconds until the end."""
 
-    keys: list[bytes] = field(default_factory=list)
+    keys: list[Stroke] = field(default_factory=list)
     shot: str = ""
     after: float = math.inf
     record: str = ""
@@ -64,18 +64,6 @@ class Plan:
             file, self.shot = self.shot, ""
             with saving(file):
                 Path(file).write_bytes(shot(frame, card.palette))
-
-
-def parse_time(text: str) -> float:
-    """A time such as 2s, 2.5 or 500ms, in seconds; ValueError for anything else."""
-    number, unit = (text[:-2], 0.001) if text.endswith("ms") else (text.removesuffix("s"), 1)
-    try:
-        seconds = float(number) * unit
-    except ValueError:
-        seconds = -1
-    if not 0 < seconds < math.inf:
-        raise ValueError(f"{text!r} is not a time: write 2s, 2.5s or 500ms")
-    return seconds
 
 
 @contextlib.contextmanager

@@ -46,7 +46,7 @@ class Window:
         self._on_lost = on_lost
         self._owner = os.getpid()
         self._keys = KeyQueue()
-        self._keys.load(self._plan.keys)
+        self._keys.load(stroke.keystroke for stroke in self._plan.keys if not stroke.due)
         self._idling = Idling(card)
         self._mouse = Mouse(self._send)
         self._news = threading.Condition()
@@ -70,14 +70,14 @@ class Window:
         self._follow_plan()
 
     def _follow_plan(self) -> None:
-        """Record, and end after some time, if that is planned."""
+        """Record, press keys later, and end after some time, if that is planned."""
         if self._plan.record:
             self._send("record", self._plan.record)
+        for due, keystroke in self._plan.keys:
+            if due:
+                _later(due, self._keys.load, [keystroke])
         if self._plan.after < math.inf:
-            seconds = min(self._plan.after, threading.TIMEOUT_MAX)
-            clock = threading.Timer(seconds, self._time_is_up)
-            clock.daemon = True
-            clock.start()
+            _later(self._plan.after, self._time_is_up)
 
     def _time_is_up(self) -> None:
         with contextlib.suppress(ValueError):  # the program has just closed the card
@@ -242,3 +242,10 @@ class Window:
         self._keys.close(error)
         if tell and self._ready:  # before that the constructor raises it
             self._on_lost(error)
+
+
+def _later(seconds: float, action: Callable[..., object], *arguments: object) -> None:
+    """Do something after a while, in a thread of its own, if the program is still there."""
+    clock = threading.Timer(min(seconds, threading.TIMEOUT_MAX), action, arguments)
+    clock.daemon = True
+    clock.start()

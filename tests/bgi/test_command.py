@@ -73,6 +73,14 @@ def test_two_seconds_that_are_over_at_once(folder: Path) -> None:
     assert 115 <= bars[0] <= 120  # sixty pictures a second
 
 
+@pytest.mark.parametrize("monitor", ["none", "window"])
+def test_a_key_that_comes_later(folder: Path, monitor: str) -> None:
+    done = run("--monitor", monitor, "--keys", "Wait300ms x", "bounce.py", cwd=folder)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "key: 120" in done.stdout
+    assert "pictures: 0 " not in done.stdout
+
+
 def test_without_after_the_picture_is_of_the_end(folder: Path) -> None:
     (folder / "dot.py").write_text(
         "from bgi import *\ninitgraph()\nputpixel(3, 4, RED)\nclosegraph()\n"

@@ -36,6 +36,22 @@ def test_it_plays_scripted_keys() -> None:
     assert not monitor.key_waiting()
 
 
+def test_it_presses_a_key_later() -> None:
+    monitor = Headless("a Wait2s b Wait500ms Left")
+    assert monitor.read_key() == ord("a")
+    questions = 0
+    while not monitor.key_waiting():
+        questions += 1
+        monitor.show()
+    assert 103 < questions < 106  # pictures in what is left of two seconds
+    assert monitor.read_key() == ord("b")
+    assert not monitor.key_waiting()
+    assert [monitor.read_key(), monitor.read_key()] == [0, 75]  # who waits for it gets it
+    assert round(monitor.now) == 2750  # when it was pressed, and that took its time
+    with pytest.raises(NobodyThere):
+        monitor.read_key()
+
+
 def test_at_the_end_of_the_script_it_says_what_to_do() -> None:
     monitor = Headless("q")
     monitor.read_key()

@@ -278,20 +278,34 @@ def test_shift_flags() -> None:
     assert shift_flags(k.KMOD_LALT | k.KMOD_NUM | k.KMOD_CAPS) == 0x68
 
 
+def strokes(script: str) -> list[bytes]:
+    """The keystrokes of a script without a pause."""
+    assert all(stroke.due == 0 for stroke in parse_script(script))
+    return [stroke.keystroke for stroke in parse_script(script)]
+
+
 def test_scripts() -> None:
-    assert parse_script("1 w Left esc") == [b"1", b"w", b"\0K", b"\x1b"]
-    assert parse_script("Enter Space Tab Backspace") == [b"\r", b" ", b"\t", b"\b"]
-    assert parse_script("HOME end PgUp PGDN Ins Del up Down right") == [
+    assert strokes("1 w Left esc") == [b"1", b"w", b"\0K", b"\x1b"]
+    assert strokes("Enter Space Tab Backspace") == [b"\r", b" ", b"\t", b"\b"]
+    assert strokes("HOME end PgUp PGDN Ins Del up Down right") == [
         bytes((0, code)) for code in (71, 79, 73, 81, 82, 83, 72, 80, 77)
     ]
-    assert parse_script(" ".join(f"F{n}" for n in range(1, 13))) == [
+    assert strokes(" ".join(f"F{n}" for n in range(1, 13))) == [
         bytes((0, code)) for code in (*range(59, 69), 133, 134)
     ]
-    assert parse_script("é A =") == [b"\x82", b"A", b"="]
-    assert parse_script("  \n ") == []
+    assert strokes("é A =") == [b"\x82", b"A", b"="]
+    assert strokes("  \n ") == []
 
 
-@pytest.mark.parametrize("word", ["Escape", "F13", "Ctrl-C", "ab"])
+def test_a_script_with_pauses() -> None:
+    script = parse_script("a Wait2s b WAIT500ms wait0.25 c d Wait1s")
+    assert script == [(0, b"a"), (2, b"b"), (2.75, b"c"), (2.75, b"d")]
+    for word in ("Waits", "Wait-1s", "Wait0", "Waitinf", "Wait1h"):
+        with pytest.raises(ValueError, match=f"^'{word[4:]}' is not a time: write 2s"):
+            parse_script(f"a {word} b")
+
+
+@pytest.mark.parametrize("word", ["Escape", "F13", "Ctrl-C", "ab", "Wait"])
 def test_a_script_with_an_unknown_word(word: str) -> None:
     with pytest.raises(ValueError, match=f"'{word}' is not a key: write a single character, Esc,"):
         parse_script(f"a {word} b")

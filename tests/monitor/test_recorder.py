@@ -10,6 +10,7 @@ from bgi.errors import BGIError, WindowClosed
 from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame
 from bgi.monitor.headless import Headless
+from bgi.monitor.keyboard import parse_script
 from bgi.monitor.picture import shot
 from bgi.monitor.plan import Plan
 from bgi.monitor.recorder import Recorder
@@ -172,7 +173,7 @@ def test_a_loop_around_kbhit_comes_to_the_end(card: Card) -> None:
 
 
 def test_a_recording_in_virtual_time(card: Card, file: Path) -> None:
-    monitor = Headless(card=card, plan=Plan([b"a"], record=str(file)))
+    monitor = Headless(card=card, plan=Plan(parse_script("a"), record=str(file)))
     for index in (1, 2, 3):
         card.page(0)[:] = bytes([index]) * (320 * 200)
         monitor.sleep(100)
