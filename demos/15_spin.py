@@ -75,7 +75,6 @@ class Scene:
             mode=self.mode,
             transform=turn,
             zfrac=figure.zfrac,
-            dither=getmaxcolor() < 255,
         )
         setcolor(WHITE)
         outtextxy(8, 8, f"z = {figure.name}   {self.mode}")

@@ -39,7 +39,6 @@ def draw() -> None:
                 mode=mode,
                 zfrac=figure.zfrac,
                 lines=(YELLOW if row else LIGHTGREEN, GREEN),
-                dither=getmaxcolor() < 255,
             )
             setcolor(WHITE)
             left = (width - textwidth(figure.name)) // 2

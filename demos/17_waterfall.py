@@ -52,7 +52,6 @@ def show(spectra: Spectra, mode: str = "waterfall") -> None:
         axes=("s", "kHz", "V"),
         title="Two tones pass",
         ramp="heat",
-        dither=getmaxcolor() < 255,
     )
 
 

@@ -80,7 +80,6 @@ def show(shape: Shape, mode: str, angle: float) -> None:
         transform=compose(rotation("z", angle), rotation((1, -1, 0), angle / 3)),
         projection="isometric",
         under=shape.under,
-        dither=getmaxcolor() < 255,
     )
 
 

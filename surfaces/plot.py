@@ -108,7 +108,7 @@ def surface(
     color: Color = "z",
     ramp: str | Ramp = "rainbow",
     under: str | Ramp = "dusk",
-    dither: bool = False,
+    dither: bool = True,
     lines: int | tuple[int, int] | None = None,
     every: int | None = None,
     contours: Levels = 0,
@@ -151,7 +151,8 @@ def surface(
         color: What the colours show: "z", "slope", "light", an array like f, a function of x and y.
         ramp: The colours of the upper side, a name of `RAMPS`.
         under: The colours of the under side.
-        dither: Blend the bands of colour where a screen has only a few colours.
+        dither: Blend the bands of colour where a screen has only 2, 4 or 16 colours. False leaves
+            bands.
         lines: The colour of lines, or two, for the upper and the under side. None: the current
             colour; in filled modes black.
         every: Draw every n-th line of the grid in a mesh. None: about fifty in all.
@@ -218,7 +219,7 @@ def parametric(
     color: str | Function = "z",
     ramp: str | Ramp = "rainbow",
     under: str | Ramp | None = None,
-    dither: bool = False,
+    dither: bool = True,
     lines: int | None = None,
     every: int | None = None,
     box: bool = False,

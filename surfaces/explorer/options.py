@@ -11,15 +11,12 @@ from surfaces.shape.sampling import Interval
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.projections import projection
 from surfaces.space.transforms import Point, compose, rotation, scaling
-from surfaces.systems.pen import Pen, System
+from surfaces.systems.pen import System
 
 LARGER = 1.15
 """How much larger the picture is for each step of `zoom`."""
 DOUBLED = 3
 """How many steps of `wider` make the domain twice as wide."""
-
-SMOOTH = 256
-"""With fewer colours ramps have bands, and are better mixed."""
 
 
 @dataclass
@@ -114,7 +111,6 @@ class Options:
             projection=self.projection,
             color=self.color,
             ramp=self.ramp,
-            dither=self.dither or Pen(on).colors < SMOOTH,
             contours=self.contours,
             floor=self.floor,
             box=self.box,

@@ -82,6 +82,12 @@ RAMPS: dict[str, Ramp] = {
         ((30, 12, 6), (150, 80, 40), (245, 170, 105), (255, 235, 210)),
         (DARKGRAY, BROWN, YELLOW, WHITE),
     ),
+    # Even to the eye: its lightness grows in equal steps, for the colour-blind and in grey, too.
+    # After matplotlib's default (van der Walt and Smith, 2015).
+    "viridis": Ramp(
+        ((68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)),
+        (MAGENTA, BLUE, CYAN, GREEN, LIGHTGREEN, YELLOW),
+    ),
     "grey": Ramp(((30, 30, 30), (250, 250, 250)), (DARKGRAY, LIGHTGRAY, WHITE)),
     # Unlike the rainbow's colours, for the under side.
     "dusk": Ramp(((60, 20, 80), (150, 50, 150), (230, 140, 210)), (MAGENTA, LIGHTMAGENTA)),

@@ -27,7 +27,7 @@ def run(
         "SDL_VIDEODRIVER": "dummy",
         "PYTHONPATH": path,
     }
-    return subprocess.run(
+    ran: subprocess.CompletedProcess[str] = subprocess.run(
         [sys.executable, *map(str, arguments)],
         cwd=cwd,
         env=environment,
@@ -36,6 +36,7 @@ def run(
         timeout=100,
         **more,  # type: ignore[call-overload]
     )
+    return ran
 
 
 def program(folder: Path, source: str = OPENS) -> Path:

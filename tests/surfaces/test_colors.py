@@ -1,10 +1,12 @@
 """From values to palette entries."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 import bgi
-from surfaces import RAMPS, Pen, Ramp
+from surfaces import RAMPS, Pen, Ramp, surface
 from surfaces.systems.colors import UNDER, UPPER, palette
 
 ALL = [2, 4, 16, 256]
@@ -90,3 +92,40 @@ def test_an_unknown_ramp(what: str) -> None:
     names = {"ramp": "rainbow", "under": "dusk", what: "pink"}
     with pytest.raises(ValueError, match=f"{what} must be one of rainbow, heat, .*, not 'pink'"):
         palette(256, dither=False, **names)
+
+
+def lightness(rgb: Any) -> Any:
+    """CIE 1976 L* of sRGB colours (n, 3): how light they look, 0 to 100."""
+    part = np.asarray(rgb) / 255
+    linear = np.where(part <= 0.04045, part / 12.92, ((part + 0.055) / 1.055) ** 2.4)
+    luminance = linear @ (0.2126, 0.7152, 0.0722)
+    return 116 * np.cbrt(np.maximum(luminance, 0.008856)) - 16
+
+
+def test_viridis_is_even_to_the_eye() -> None:
+    light = lightness(RAMPS["viridis"].mix(160))
+    assert (np.diff(light) > 0).all()
+    assert np.abs(light - np.linspace(light[0], light[-1], 160)).max() < 3
+    rainbow = lightness(RAMPS["rainbow"].mix(160))
+    assert np.abs(rainbow - np.linspace(rainbow[0], rainbow[-1], 160)).max() > 30
+
+
+@pytest.mark.parametrize("name", RAMPS)
+def test_every_ramp_is_smooth_in_a_window(name: str) -> None:
+    bgi.initwindow(800, 600)
+    surface(lambda x, y: x, (0, 1), (0, 1), n=60, ramp=name)
+    drawn = np.unique(bgi.getimage(0, 0, 799, 599).array)
+    colors = np.stack([drawn & 255, drawn >> 8 & 255, drawn >> 16 & 255], axis=1)[drawn >= 16]
+    ramp = {tuple(color) for color in RAMPS[name].mix(160).tolist()}
+    assert len(ramp & {tuple(color) for color in colors.tolist()}) > 0.85 * len(ramp)
+
+
+def test_few_colors_are_mixed_unless_told_otherwise() -> None:
+    for driver, mode in ((bgi.VGA, bgi.VGAHI), (bgi.CGA, bgi.CGAC0), (bgi.CGA, bgi.CGAHI)):
+        pictures = []
+        for options in ({}, {"dither": True}, {"dither": False}):
+            bgi.initgraph(driver, mode)
+            surface(lambda x, y: x + y, (0, 1), (0, 1), n=20, **options)
+            pictures.append(bgi.getimage(0, 0, bgi.getmaxx(), bgi.getmaxy()).array)
+        assert (pictures[0] == pictures[1]).all()
+        assert (pictures[0] != pictures[2]).any()
