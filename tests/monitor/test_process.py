@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -19,7 +20,7 @@ def run(
     cwd: Path,
     path: str = HOME,
     monitor: str = "window",
-    **more: object,
+    **more: Any,
 ) -> subprocess.CompletedProcess[str]:
     """A program of its own in a folder; its window is on SDL's dummy driver."""
     environment = os.environ | {
@@ -34,7 +35,7 @@ def run(
         capture_output=True,
         text=True,
         timeout=100,
-        **more,  # type: ignore[call-overload]
+        **more,
     )
     return ran
 
