@@ -14,6 +14,7 @@ driver in `bgi.mouse`.
 
 from bgi import conio as conio
 from bgi import dos as dos
+from bgi import keyboard as keyboard
 from bgi import mouse as mouse
 from bgi.api.clicks import *
 from bgi.api.curves import *

@@ -23,9 +23,9 @@ from bgi.kernel import hints
 from bgi.machine import display_exists
 from bgi.memory.sdl import pygame, quietly, twins
 from bgi.monitor import ending
-from bgi.monitor.keyboard import parse_script, parse_time
 from bgi.monitor.plan import note, written
 from bgi.monitor.recorder import missing
+from bgi.monitor.script import parse_script, parse_time
 
 VARIABLES = {
     "monitor": "BGI_MONITOR",

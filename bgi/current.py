@@ -119,7 +119,8 @@ def open_window(mode: GraphicsMode, title: str = TITLE) -> int:
     needed = mode.width * mode.height * mode.pages * mode.pixel_bytes
     card = Card(max(needed, CAPACITY))
     card.set_mode(mode.width, mode.height, mode.pages, mode.pixel_bytes, mode.square)
-    monitor = choose(card, title, on_lost=lambda error: _lost(new, error))
+    beside = next((other.monitor for other in _open.values()), None)
+    monitor = choose(card, title, lambda error: _lost(new, error), beside)
     _open[new] = Graphics(mode, card, monitor)
     _reach(new, _open[new])
     select(new)

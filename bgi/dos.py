@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from bgi import current
 from bgi.kernel.arguments import Number, real, whole
 from bgi.kernel.state import KERNEL
-from bgi.monitor.keyboard import bios_code
+from bgi.monitor.keycodes import bios_code
 
 __all__ = ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
 

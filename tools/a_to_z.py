@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 import bgi
 import surfaces
-from bgi import conio, dos, mouse
+from bgi import conio, dos, keyboard, mouse
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -28,7 +28,14 @@ FILE = DOCS / "a-z.md"
 BACK = f"[All pages](README.md) · [A–Z]({FILE.name})"
 """What every page ends with."""
 
-MODULES = {"": bgi, "conio.": conio, "dos.": dos, "mouse.": mouse, "surfaces.": surfaces}
+MODULES = {
+    "": bgi,
+    "conio.": conio,
+    "dos.": dos,
+    "keyboard.": keyboard,
+    "mouse.": mouse,
+    "surfaces.": surfaces,
+}
 """The modules whose names are listed, by what a program writes before a name."""
 
 GROUPS = {
@@ -57,6 +64,7 @@ SOURCES = {
     "": ["bgi/constants.py"],
     "conio.": ["bgi/conio.py"],
     "dos.": ["bgi/dos.py"],
+    "keyboard.": [],
     "mouse.": ["bgi/monitor/pointer.py"],
     "surfaces.": [],
 }
@@ -75,8 +83,9 @@ STARS = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "
 HEAD = """# A–Z
 
 Every public name: functions, structures, constants, and the options of `surface()`; with the page
-that shows it. Names without a dot come with `from bgi import *`; `conio`, `dos` and `mouse` are
-modules of it: `from bgi import dos`. `surfaces` is a package of its own. `help(circle)` says more.
+that shows it. Names without a dot come with `from bgi import *`; `conio`, `dos`,
+`keyboard` and `mouse` are modules of it: `from bgi import dos`. `surfaces` is a package of its own.
+`help(circle)` says more.
 """
 
 

@@ -25,7 +25,7 @@ from gallery.catalogue import NAMES, load
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PICTURES = DOCS / "pictures"
-KEYS = "a Left Up Space"  # what is pressed for each block that asks for keys
+KEYS = "a Left Up Space Wait1s +Esc"  # what is pressed for each block that asks for keys
 LEAST_WIDTH, MARGIN = 400, 12
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte

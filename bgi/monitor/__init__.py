@@ -14,7 +14,7 @@ from bgi.errors import BGIError
 from bgi.machine import display_exists
 from bgi.memory.card import Card
 from bgi.monitor.headless import Headless
-from bgi.monitor.keyboard import KeyQueue
+from bgi.monitor.keyqueue import KeyQueue
 from bgi.monitor.plan import Plan
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.protocol import TITLE
@@ -43,7 +43,7 @@ class Monitor(Protocol):
 
     @property
     def keys(self) -> KeyQueue:
-        """The keys that wait."""
+        """The program's keyboard: the keys that wait, and those that are down."""
 
     @property
     def mouse(self) -> Mouse:
@@ -66,10 +66,14 @@ class Monitor(Protocol):
 
 
 def choose(
-    card: Card, title: str = TITLE, on_lost: Callable[[BGIError], None] = lambda error: None
+    card: Card,
+    title: str = TITLE,
+    on_lost: Callable[[BGIError], None] = lambda error: None,
+    beside: Monitor | None = None,
 ) -> Monitor:
     """The monitor that BGI_MONITOR names, or a window where there is a display.
 
+    `beside` is one that the program has already: they have one keyboard, and one counted time.
     `on_lost` is called, mostly from another thread, with the error that every call raises from then
     on: when the user closes the window, its process dies or the planned end comes. Where a window
     cannot be opened one line says why, and drawing goes on without it; but BGIError is raised if
@@ -81,15 +85,15 @@ def choose(
         raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window' or 'none'")
     plan = Plan.from_environment()
     if wish == "window":
-        return Window(card, title, on_lost, plan)
+        return Window(card, title, on_lost, plan, beside)
     if not wish:
         try:
             if not display_exists():
                 raise BGIError("no display found")
-            return Window(card, title, on_lost, plan)
+            return Window(card, title, on_lost, plan, beside)
         except BGIError as error:
             _say_that_there_is_no_window(str(error))
-    return Headless(title=title, card=card, plan=plan, on_lost=on_lost)
+    return Headless(title=title, card=card, plan=plan, on_lost=on_lost, beside=beside)
 
 
 @functools.cache  # once is enough

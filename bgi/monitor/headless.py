@@ -7,18 +7,17 @@ pause, a picture, and a little every question.
 
 import math
 import os
-import sys
 import threading
 import time
-from collections import deque
 from collections.abc import Callable
 
 from bgi.errors import BGIError, NobodyThere, TimeIsUp
 from bgi.memory.card import Card
-from bgi.monitor.keyboard import KeyQueue
+from bgi.monitor.keyqueue import KeyQueue
 from bgi.monitor.plan import Plan, saving
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.recorder import Recorder
+from bgi.monitor.timeline import Timeline
 
 # Milliseconds that it takes ...
 PICTURE = 1000 / 60  # to show a picture
@@ -38,7 +37,8 @@ class Headless:
     `plan` is by default that of the environment, `keys` a script instead of its keys. `shown`
     counts the pictures, `now` the milliseconds passed; `sounds` holds when which pitch began to
     play. What the plan wants to see is looked up on `card`. `on_lost` is called with the error that
-    every call raises once the planned end has come.
+    every call raises once the planned end has come. Another one `beside` has the same
+    keyboard and the same time.
     """
 
     def __init__(
@@ -48,33 +48,32 @@ class Headless:
         card: Card | None = None,
         plan: Plan | None = None,
         on_lost: Callable[[BGIError], None] = lambda error: None,
+        beside: object = None,
     ) -> None:
         self.shown = 0
-        self.now = 0.0
         self.title = title
         self.sounds: list[tuple[float, int]] = []
         self._mouse = Mouse(lambda *message: None)
-        self._keys = KeyQueue(limit=sys.maxsize)
         self._owner = os.getpid()
         self._began = time.time()
         self._card = card
         self._plan = plan or Plan.from_environment(keys)
+        neighbour = beside if isinstance(beside, Headless) else None
+        self._time: Timeline = neighbour._time if neighbour else Timeline(self._plan.keys)
+        self._keys = self._time.keys
         self._recorder = Recorder(self._plan.record) if self._plan.record else None
         self._recorded: tuple[float, object] = (-PICTURE, None)  # the last picture, and when it was
         self._expected = False  # whether the program knows that a key waits
         self._on_lost = on_lost
         self._over: TimeIsUp | None = None
         self._closed = threading.Event()
-        self._coming = deque(self._plan.keys)  # the keys that are not pressed yet
-        self._press_keys()
-        self._keys.close(
-            NobodyThere(
-                "nobody can press a key here, for there is no window; "
-                'to script some: BGI_KEYS="1 w Left Esc"'
-            )
-        )
         if self._plan.after < math.inf:
             threading.Thread(target=self._watch, name="bgi end", daemon=True).start()
+
+    @property
+    def now(self) -> float:
+        """The milliseconds passed."""
+        return self._time.now
 
     def show(self) -> None:
         """Count one picture."""
@@ -94,7 +93,7 @@ class Headless:
     def read_key(self) -> int:
         """The script's next byte; at its end NobodyThere, or TimeIsUp where an end is planned."""
         self._wait_for_key()
-        code = self._keys.get()
+        code = self._keys.get(_nobody)
         self._expected = self._keys.half()
         return code
 
@@ -102,22 +101,18 @@ class Headless:
         """The script's next keystroke."""
         self._wait_for_key()
         self._expected = False
-        return self._keys.take()
+        return self._keys.take(_nobody)
 
     def _wait_for_key(self) -> None:
-        if not self._keys.waiting() and self._coming:
-            self._pass(1000 * self._coming[0].due - self.now)
-        elif not self._keys.waiting() and self._plan.after < math.inf:
-            self._pass(math.inf)
-        self._pass(0 if self._expected else KEY)
-
-    def _press_keys(self) -> None:
-        while self._coming and 1000 * self._coming[0].due <= self.now:
-            self._keys.load([self._coming.popleft().keystroke])
+        if self._keys.waiting():
+            self._pass(0 if self._expected else KEY)
+        else:  # it comes later, or the end does, or neither
+            later = min(self._time.next_key(), 1000 * self._plan.after)
+            self._pass_until(later if later < math.inf else self.now)
 
     @property
     def keys(self) -> KeyQueue:
-        """The keys that wait."""
+        """The program's keyboard: the keys that wait, and those that are down."""
         self._pass(QUESTION)
         return self._keys
 
@@ -162,14 +157,15 @@ class Headless:
 
     def _pass(self, milliseconds: float) -> None:
         """Let time pass, and the end come."""
+        self._pass_until(self.now + milliseconds)
+
+    def _pass_until(self, moment: float) -> None:
         if self._over is not None:
             raise self._over.with_traceback(None)
-        due = self.now + milliseconds - self._recorded[0] >= PICTURE
-        if due and self._card is not None:
+        if moment - self._recorded[0] >= PICTURE and self._card is not None:
             self._record(self._card)
         end = 1000 * self._plan.after
-        self.now = min(self.now + milliseconds, end)
-        self._press_keys()
+        self._time.move_to(min(moment, end))
         if self.now >= end:
             raise self._end()
 
@@ -198,3 +194,11 @@ class Headless:
         if (frame, palette) != self._recorded[1]:
             self._recorder.add(self.now / 1000, frame, palette)
         self._recorded = self.now, (frame, palette)
+
+
+def _nobody() -> None:
+    """No key will come."""
+    raise NobodyThere(
+        "nobody can press a key here, for there is no window; "
+        'to script some: BGI_KEYS="1 w Left Esc"'
+    )

@@ -1,12 +1,12 @@
-"""What the user does at the window, as messages to the program: keys, Shift keys, mouse."""
+"""What the user does at the window, as messages to the program: keys, keys held, mouse."""
 
 import time
 from collections.abc import Callable
 
 from bgi.memory.sdl import pygame
-from bgi.monitor import keyboard
 from bgi.monitor import pointer as mouse
 from bgi.monitor.display import Display
+from bgi.monitor.keycodes import encode, name_of, shift_flags
 
 _BUTTONS = {1: mouse.LEFT, 2: mouse.MIDDLE, 3: mouse.RIGHT}  # by pygame's numbers
 _WHEEL = {4: -1, 5: 1}
@@ -24,14 +24,15 @@ class Inputs:
     def __init__(
         self,
         display: Display,
-        send: Callable[..., object],
+        send: Callable[..., bool],
         hot_keys: dict[tuple[int, int], Callable[[], None]],
     ) -> None:
         self._display = display
         self._send = send
         self._hot_keys = hot_keys
         self._hot = 0, 0.0  # the hot key that is down, and when that was last heard
-        self._shifts = 0
+        self._held: dict[int, str] = {}  # the names of the keys that are down, by pygame's numbers
+        self._told = shift_flags(0), frozenset[str]()  # what is down, as the program knows it
         self._place = 0, 0
         self._buttons = 0
         self._moved = False
@@ -42,24 +43,27 @@ class Inputs:
         """Take note of an event; all that is not the user's is ignored."""
         if event.type == pygame.KEYDOWN:
             self._press(event)
-        elif event.type == pygame.KEYUP and event.key == self._hot[0]:
-            self._hot = 0, 0.0
+        elif event.type == pygame.KEYUP:
+            self._held.pop(event.key, None)
+            if event.key == self._hot[0]:
+                self._hot = 0, 0.0
         elif event.type == pygame.MOUSEMOTION:
             self._go(self._display.to_page(event.pos))
         elif event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             self._click(event)
 
     def flush(self) -> None:
-        """Send what is sent once for many events: where the mouse is now, and the Shift keys."""
+        """Send what is sent once for many events: the mouse's place, the keys that are down."""
         if self._moved:
             self._moved = False
             self._send("mouse", mouse.MOVED, *self._place, self._buttons)
         # Whoever looks at another window holds no key down in this one.
-        held = pygame.key.get_mods() & (-1 if pygame.key.get_focused() else _LOCKS)
-        shifts = keyboard.shift_flags(held)
-        if shifts != self._shifts:
-            self._shifts = shifts
-            self._send("shifts", shifts)
+        focused = pygame.key.get_focused()
+        shifts = shift_flags(pygame.key.get_mods() & (-1 if focused else _LOCKS))
+        down = shifts, frozenset(self._held.values() if focused else ())
+        # If the program does not read, its pipe is full: then it learns of it next time.
+        if down != self._told and self._send("held", shifts, *sorted(down[1])):
+            self._told = down
 
     def _press(self, event: pygame.event.Event) -> None:
         held = event.mod & _MODIFIERS
@@ -73,7 +77,9 @@ class Inputs:
                 if key != last or now[1] - then > REPEAT_SECONDS:
                     action()
                 return
-        if keystroke := keyboard.encode(event.key, event.mod, event.unicode):
+        if name := name_of(event.key, event.unicode):
+            self._held[event.key] = name
+        if keystroke := encode(event.key, event.mod, event.unicode):
             self._send("key", *keystroke)
 
     def _click(self, event: pygame.event.Event) -> None:

@@ -3,7 +3,7 @@
 `python -m bgi` hands its options on in these variables, so they work without it, too:
 
     ============  =================================================================
-    BGI_KEYS      keys that are "pressed", as in ``1 w Left Wait2s Esc``
+    BGI_KEYS      keys that are "pressed", as in ``1 w Wait2s Esc`` (`bgi.monitor.script`)
     BGI_SHOT      a file for a picture of the screen at the end
     BGI_AFTER     when that is, as in ``2s``, ``2.5`` or ``500ms``; unset: when the
                   program closes the screen, or ends
@@ -21,9 +21,9 @@ from pathlib import Path
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
-from bgi.monitor.keyboard import Stroke, parse_script, parse_time
 from bgi.monitor.picture import shot
 from bgi.monitor.recorder import missing
+from bgi.monitor.script import Press, parse_script, parse_time
 
 written: dict[str, bool] = {}
 """The planned files whose time has come, and whether they were written."""
@@ -31,9 +31,9 @@ written: dict[str, bool] = {}
 
 @dataclass
 class Plan:
-    """Keystrokes to come; files ("": none) for a picture and a recording; seconds until the end."""
+    """A script of keys; files ("": none) for a picture and a recording; seconds until the end."""
 
-    keys: list[Stroke] = field(default_factory=list)
+    keys: list[Press] = field(default_factory=list)
     shot: str = ""
     after: float = math.inf
     record: str = ""

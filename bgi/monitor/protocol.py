@@ -19,8 +19,9 @@ to the program            meaning
 ========================  ==============================================================
 ``ready``                 the window is open
 ``failed REASON``         there is no window
-``key A`` ``key 0 S``     a key was pressed: the bytes of `bgi.monitor.keyboard.encode`
-``shifts FLAGS``          the Shift keys and their like: `bgi.monitor.keyboard.shift_flags`
+``key A`` ``key 0 S``     a key was pressed: the bytes of `bgi.monitor.keycodes.encode`
+``held FLAGS NAMES``      all that is down now: the Shift keys and their like, by
+                          `bgi.monitor.keycodes.shift_flags`, and the names of the keys
 ``mouse EVENT X Y HELD``  an event of `bgi.monitor.pointer`, where, and the buttons held
 ``wheel CLICKS``          its wheel was turned, down or (less than 0) up
 ``shown N PRESENTS``      picture N is on show, the PRESENTS-th since the start

@@ -15,11 +15,12 @@ from collections.abc import Callable
 from bgi.errors import BGIError, TimeIsUp, WindowClosed
 from bgi.memory.card import Card
 from bgi.monitor.idling import REST_SECONDS, Idling
-from bgi.monitor.keyboard import PIECE_SECONDS, KeyQueue
+from bgi.monitor.keyqueue import PIECE_SECONDS, KeyQueue
 from bgi.monitor.plan import Plan, note
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.process import start
 from bgi.monitor.protocol import TITLE, encode, receive
+from bgi.monitor.script import play
 
 START_SECONDS = 60  # the very first import of pygame on a slow disk takes long
 END_SECONDS = 1
@@ -30,7 +31,7 @@ class Window:
     """The monitor that is a window; it is open when the constructor returns.
 
     `on_lost` is called once, from another thread, with the error that every call raises from then
-    on. Raises BGIError when the window cannot be opened.
+    on. A window `beside` has the same keyboard. Raises BGIError when the window cannot be opened.
     """
 
     def __init__(
@@ -39,14 +40,15 @@ class Window:
         title: str = TITLE,
         on_lost: Callable[[BGIError], None] = lambda error: None,
         plan: Plan | None = None,
+        beside: object = None,
     ) -> None:
         self._card = card
         self._plan = plan or Plan()
         self.presents = 0  # how many pictures the window has put on the screen
         self._on_lost = on_lost
         self._owner = os.getpid()
-        self._keys = KeyQueue()
-        self._keys.load(stroke.keystroke for stroke in self._plan.keys if not stroke.due)
+        neighbour = beside if isinstance(beside, Window) else None
+        self._keys: KeyQueue = neighbour._keys if neighbour else KeyQueue()
         self._idling = Idling(card)
         self._mouse = Mouse(self._send)
         self._news = threading.Condition()
@@ -68,16 +70,17 @@ class Window:
             self.close()
             raise
         self._follow_plan()
+        if neighbour is None:
+            play(self._plan.keys, self._keys)
 
     def _follow_plan(self) -> None:
-        """Record, press keys later, and end after some time, if that is planned."""
+        """Record, and end after some time, if that is planned."""
         if self._plan.record:
             self._send("record", self._plan.record)
-        for due, keystroke in self._plan.keys:
-            if due:
-                _later(due, self._keys.load, [keystroke])
         if self._plan.after < math.inf:
-            _later(self._plan.after, self._time_is_up)
+            clock = threading.Timer(self._plan.after, self._time_is_up)
+            clock.daemon = True
+            clock.start()
 
     def _time_is_up(self) -> None:
         with contextlib.suppress(ValueError):  # the program has just closed the card
@@ -107,12 +110,12 @@ class Window:
     def read_key(self) -> int:
         """Wait for a key and return its code; keys without a character are 0, then a scan code."""
         self._check()
-        return self._keys.get()
+        return self._keys.get(self._check)
 
     def read_keystroke(self) -> bytes:
         """Wait for a key and return all of it, one byte or two."""
         self._check()
-        return self._keys.take()
+        return self._keys.take(self._check)
 
     @property
     def pid(self) -> int:
@@ -121,7 +124,7 @@ class Window:
 
     @property
     def keys(self) -> KeyQueue:
-        """The keys that wait."""
+        """The program's keyboard: the keys that wait, and those that are down."""
         self._question()
         return self._keys
 
@@ -217,8 +220,9 @@ class Window:
                 self._mouse.hear(*map(int, rest.split()))
             case "wheel":
                 self._mouse.roll(int(rest))
-            case "shifts":
-                self._keys.shifts = int(rest)
+            case "held":
+                shifts, *names = rest.split()
+                self._keys.hold(self, int(shifts), frozenset(names))
             case "recording":
                 self._end_seconds = SAVE_SECONDS
             case "recorded":
@@ -239,13 +243,7 @@ class Window:
                 return
             self._error = error
             self._news.notify_all()
-        self._keys.close(error)
+        self._keys.hold(self, 0, frozenset())
+        self._keys.wake()
         if tell and self._ready:  # before that the constructor raises it
             self._on_lost(error)
-
-
-def _later(seconds: float, action: Callable[..., object], *arguments: object) -> None:
-    """Do something after a while, in a thread of its own, if the program is still there."""
-    clock = threading.Timer(min(seconds, threading.TIMEOUT_MAX), action, arguments)
-    clock.daemon = True
-    clock.start()

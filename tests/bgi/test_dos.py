@@ -55,7 +55,7 @@ def test_bioskey(keys: None) -> None:
     assert conio.getch() == 27
     assert dos.bioskey(0) == 0x0231
     assert (dos.bioskey(1), dos.bioskey(2)) == (0, 0)
-    monitor().keys.shifts = 6
+    monitor().keys.hold("window", 6, frozenset())
     assert dos.bioskey(2) == 6
     with pytest.raises(ValueError, match="cmd must be 0, 1 or 2, not 3"):
         dos.bioskey(3)

@@ -10,10 +10,10 @@ from bgi.errors import BGIError, WindowClosed
 from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame
 from bgi.monitor.headless import Headless
-from bgi.monitor.keyboard import parse_script
 from bgi.monitor.picture import shot
 from bgi.monitor.plan import Plan
 from bgi.monitor.recorder import Recorder
+from bgi.monitor.script import parse_script
 
 PALETTE = np.random.default_rng(1).integers(0, 256, (256, 3), np.uint8)
 

@@ -22,8 +22,12 @@ from bgi.memory.card import Card
 from bgi.memory.sdl import pygame
 from bgi.monitor import Headless, Monitor, Window, choose
 from bgi.monitor.child import Child
+from bgi.monitor.display import Display
 from bgi.monitor.idling import REST_SECONDS, Idling
+from bgi.monitor.inputs import Inputs
+from bgi.monitor.plan import Plan
 from bgi.monitor.protocol import decode, encode, receive
+from bgi.monitor.script import parse_script
 from bgi.monitor.speaker import LOUDNESS, RATE
 from tests.processes import KILL, LOSSES, gone, memory_of, posix, shared_memory, wait_until
 
@@ -358,6 +362,77 @@ def test_a_key_ends_a_rest_at_once(window: Window, monkeypatch: pytest.MonkeyPat
     while not window.key_waiting():
         pass
     typist.join()
+
+
+# The keyboard
+
+
+def test_a_script_presses_keys_in_a_window_as_well(card: Card) -> None:
+    window = Window(card, plan=Plan(parse_script("a Wait0.2s +Left Wait0.1s -Left b")))
+    assert window.read_key() == ord("a")
+    began = time.monotonic()
+    assert window.read_keystroke() == b"\0K"
+    assert time.monotonic() > began
+    assert "left" in window.keys.held
+    assert window.read_key() == ord("b")
+    assert window.keys.held == set()
+    window.close()
+
+
+def test_the_keyboard_is_that_of_all_windows(card: Card, window: Window) -> None:
+    """What is typed into any of them is read; and one that is lost takes nothing along."""
+    other = Window(card, beside=window, plan=Plan(parse_script("x y z")))
+    other._hear("key", "97")
+    other._hear("key", "0 72")
+    other._hear("held", "2 shift up")
+    assert window.key_waiting()
+    assert (window.read_key(), window.read_keystroke()) == (97, b"\0H")
+    assert (window.keys.held, window.keys.shifts) == ({"shift", "up"}, 2)
+    waiting = threading.Timer(0.1, other.close)
+    waiting.start()
+    threading.Timer(0.3, window._hear, ["key", "98"]).start()
+    assert window.read_key() == 98
+    assert window.keys.held == set()
+    with pytest.raises(BGIError, match="closed by the program"):
+        other.read_key()
+    waiting.join()
+
+
+def test_what_is_held_is_told_once_it_can_be(
+    card: Card, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Keys go down and up, repeat, and the pipe is full for a while."""
+    monkeypatch.setattr(pygame.key, "get_focused", lambda: True)
+    told: list[tuple[object, ...]] = []
+    takes = [True]
+
+    def send(*message: object) -> bool:
+        if takes[0]:
+            told.append(message)
+        return takes[0]
+
+    inputs = Inputs(Display(card, tmp_path), send, {})
+    down = {"left": pygame.K_LEFT, "a": pygame.K_a}
+
+    def key(kind: int, number: int) -> None:
+        inputs.handle(pygame.event.Event(kind, key=number, mod=0, unicode=""))
+        inputs.flush()
+
+    key(pygame.KEYDOWN, down["left"])
+    key(pygame.KEYDOWN, down["a"])
+    key(pygame.KEYDOWN, down["a"])
+    takes[0] = False
+    key(pygame.KEYUP, down["left"])
+    takes[0] = True
+    inputs.flush()
+    key(pygame.KEYUP, down["a"])
+    assert [message for message in told if message[0] == "held"] == [
+        ("held", 0, "left"),
+        ("held", 0, "a", "left"),
+        ("held", 0, "a"),
+        ("held", 0),
+    ]
+    pygame.quit()
 
 
 @pytest.mark.parametrize("question", ["mouse", "keys", "time()"])

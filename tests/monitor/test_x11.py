@@ -288,15 +288,37 @@ def test_characters_beyond_ascii(xvfb: str, request: pytest.FixtureRequest) -> N
     assert codes == [0x94, 0x9A, 0xE1, ord("@")]
 
 
+def test_keys_that_are_down_together(seen: Window) -> None:
+    focus(seen)
+    tool("xdotool", "keydown", "Left", "keydown", "space", "keydown", "d")
+    wait_until(lambda: seen.keys.held == {"left", "space", "d"})
+    tool("xdotool", "keyup", "space")
+    wait_until(lambda: seen.keys.held == {"left", "d"})
+    tool("xdotool", "keyup", "Left", "keyup", "d")
+    wait_until(lambda: not seen.keys.held)
+
+
+def test_the_keyboard_belongs_to_the_window_in_front(seen: Window, card: Card) -> None:
+    other = Window(card, beside=seen)
+    for window, key in [(other, "a"), (seen, "b"), (other, "c")]:
+        focus(window)
+        tool("xdotool", "key", key)
+        wait_until(seen.key_waiting)
+        assert seen.read_key() == ord(key)
+    other.close()
+
+
 def test_no_key_is_stuck_when_the_focus_is_lost(seen: Window, card: Card) -> None:
     other = Window(card)
     try:
         focus(seen)
         tool("xdotool", "keydown", "shift", "keydown", "a")
         wait_until(lambda: seen.keys.shifts == 2)
+        wait_until(lambda: seen.keys.held == {"a", "shift"})
         wait_until(seen.key_waiting)
         focus(other)
         wait_until(lambda: seen.keys.shifts == 0)
+        wait_until(lambda: not seen.keys.held)
         while seen.key_waiting():
             seen.read_key()
         seen.sleep(700)  # a key that is held repeats after half a second

@@ -8,14 +8,9 @@ from hypothesis import strategies as st
 
 from bgi.errors import BGIError
 from bgi.memory.sdl import pygame
-from bgi.monitor.keyboard import (
-    BIOS_BUFFER,
-    KeyQueue,
-    bios_code,
-    encode,
-    parse_script,
-    shift_flags,
-)
+from bgi.monitor.keycodes import KEYSTROKES, bios_code, encode, key_named, name_of, shift_flags
+from bgi.monitor.keyqueue import BIOS_BUFFER, KeyQueue
+from bgi.monitor.script import LONGEST_SECONDS, Press, parse_script, parse_time
 
 NONE, SHIFT, CTRL, ALT = 0, pygame.KMOD_LSHIFT, pygame.KMOD_LCTRL, pygame.KMOD_LALT
 F = [getattr(pygame, f"K_F{n}") for n in range(1, 13)]
@@ -144,21 +139,25 @@ def test_a_keystroke_is_empty_or_one_byte_or_0_and_a_code(
     assert len(keystroke) <= 2
 
 
+def nobody() -> None:
+    raise BGIError("nobody is there")
+
+
 def test_the_queue_gives_bytes_in_order() -> None:
     queue = KeyQueue()
     for keystroke in (b"a", b"\0H", b"", b"b"):
         queue.put(keystroke)
     assert queue.waiting()
-    assert [queue.get() for _ in range(4)] == [97, 0, 72, 98]
+    assert [queue.get(nobody) for _ in range(4)] == [97, 0, 72, 98]
     assert not queue.waiting()
 
 
 def test_half_a_keystroke_is_still_waiting() -> None:
     queue = KeyQueue()
     queue.put(b"\0H")
-    assert queue.get() == 0
+    assert queue.get(nobody) == 0
     assert queue.waiting()
-    assert queue.get() == 72
+    assert queue.get(nobody) == 72
 
 
 def test_a_full_queue_drops_whole_keystrokes() -> None:
@@ -167,27 +166,36 @@ def test_a_full_queue_drops_whole_keystrokes() -> None:
         queue.put(b"\0H")
     queue.put(b"\0P")
     queue.put(b"x")
-    queue.close(BGIError("the end"))
-    assert [queue.get() for _ in range(2 * BIOS_BUFFER)] == [0, 72] * BIOS_BUFFER
-    with pytest.raises(BGIError, match="the end"):
-        queue.get()
+    assert [queue.get(nobody) for _ in range(2 * BIOS_BUFFER)] == [0, 72] * BIOS_BUFFER
+    with pytest.raises(BGIError, match="nobody"):
+        queue.get(nobody)
 
 
 def test_get_waits_for_a_key() -> None:
     queue = KeyQueue()
     typist = threading.Timer(0.05, queue.put, [b"k"])
     typist.start()
-    assert queue.get() == ord("k")
+    assert queue.get(lambda: None) == ord("k")
     typist.join()
 
 
-def test_close_wakes_whoever_waits() -> None:
+def test_whoever_waits_can_be_woken() -> None:
     queue = KeyQueue()
-    closer = threading.Timer(0.05, queue.close, [BGIError("the window was closed")])
+    ended = threading.Event()
+
+    def check() -> None:
+        if ended.is_set():
+            nobody()
+
+    def end() -> None:
+        ended.set()
+        queue.wake()
+
+    closer = threading.Timer(0.05, end)
     closer.start()
     for _ in range(2):
-        with pytest.raises(BGIError, match="the window was closed"):
-            queue.get()
+        with pytest.raises(BGIError, match="nobody"):
+            queue.get(check)
     closer.join()
 
 
@@ -197,12 +205,12 @@ def test_one_byte_can_be_put_back() -> None:
     assert queue.put_back(7)
     assert not queue.put_back(8)
     assert queue.waiting()
-    assert (queue.get(), queue.get()) == (7, 0)
+    assert (queue.get(nobody), queue.get(nobody)) == (7, 0)
     assert queue.half()
     assert not queue.put_back(9)  # half a keystroke waits in the same place
-    assert queue.get() == 72
+    assert queue.get(nobody) == 72
     assert queue.put_back(9)
-    assert queue.get() == 9
+    assert queue.get(nobody) == 9
     assert not queue.waiting()
 
 
@@ -211,15 +219,15 @@ def test_a_keystroke_can_be_looked_at_and_taken_whole() -> None:
     assert queue.peek() is None
     queue.put(b"\0H")
     queue.put_back(7)  # the BIOS knows nothing of it
-    assert (queue.peek(), queue.take(), queue.peek()) == (b"\0H", b"\0H", None)
-    assert queue.get() == 7
+    assert (queue.peek(), queue.take(nobody), queue.peek()) == (b"\0H", b"\0H", None)
+    assert queue.get(nobody) == 7
 
 
 def test_a_script_may_be_longer_than_the_buffer() -> None:
     queue = KeyQueue()
     queue.load([b"x"] * 100)
     queue.put(b"y")
-    assert [queue.get() for _ in range(100)] == [ord("x")] * 100
+    assert [queue.get(nobody) for _ in range(100)] == [ord("x")] * 100
     assert not queue.waiting()
 
 
@@ -279,9 +287,7 @@ def test_shift_flags() -> None:
 
 
 def strokes(script: str) -> list[bytes]:
-    """The keystrokes of a script without a pause."""
-    assert all(stroke.due == 0 for stroke in parse_script(script))
-    return [stroke.keystroke for stroke in parse_script(script)]
+    return [press.keystroke for press in parse_script(script)]
 
 
 def test_scripts() -> None:
@@ -297,15 +303,75 @@ def test_scripts() -> None:
     assert strokes("  \n ") == []
 
 
-def test_a_script_with_pauses() -> None:
-    script = parse_script("a Wait2s b WAIT500ms wait0.25 c d Wait1s")
-    assert script == [(0, b"a"), (2, b"b"), (2.75, b"c"), (2.75, b"d")]
-    for word in ("Waits", "Wait-1s", "Wait0", "Waitinf", "Wait1h"):
-        with pytest.raises(ValueError, match=f"^'{word[4:]}' is not a time: write 2s"):
-            parse_script(f"a {word} b")
-
-
 @pytest.mark.parametrize("word", ["Escape", "F13", "Ctrl-C", "ab", "Wait"])
 def test_a_script_with_an_unknown_word(word: str) -> None:
     with pytest.raises(ValueError, match=f"'{word}' is not a key: write a single character, Esc,"):
         parse_script(f"a {word} b")
+
+
+def test_a_script_waits_and_holds() -> None:
+    none: frozenset[str] = frozenset()
+    left, both = frozenset({"left"}), frozenset({"left", "x"})
+    script = "a Wait2s +Left wait500ms +X -left WAIT1 -x B - + Wait0.5 ++"
+    assert parse_script(script) == [
+        Press(0, b"a", none),
+        Press(2, b"\0K", left),
+        Press(2.5, b"X", both),
+        Press(2.5, b"", frozenset({"x"})),
+        Press(3.5, b"", none),
+        Press(3.5, b"B", none),
+        Press(3.5, b"-", none),
+        Press(3.5, b"+", none),
+        Press(4, b"+", frozenset({"+"})),
+    ]
+
+
+@pytest.mark.parametrize("word", ["Waits", "Wait-1s", "Waitnan", "Wait1e10s", "waiting"])
+def test_a_script_with_a_wrong_time(word: str) -> None:
+    with pytest.raises(ValueError, match="is not a time: write 2s"):
+        parse_script(word)
+
+
+def test_times() -> None:
+    assert [parse_time(text) for text in ("2s", "2.5", "500ms")] == [2, 2.5, 0.5]
+    assert parse_time(f"{LONGEST_SECONDS}s") == LONGEST_SECONDS
+    with pytest.raises(ValueError, match="at most 24 days"):
+        parse_time("2147484s")
+
+
+# What is down
+
+
+def test_the_names_of_keys() -> None:
+    k = pygame
+    assert [name_of(key, "") for key in (k.K_LEFT, k.K_SPACE, k.K_F12, k.K_DELETE, k.K_RCTRL)] == [
+        "left",
+        "space",
+        "f12",
+        "del",
+        "ctrl",
+    ]
+    assert (name_of(k.K_a, "A"), name_of(k.K_a, "\1"), name_of(ord("ü"), "Ü")) == ("a", "a", "ü")
+    assert (name_of(k.K_KP4, ""), name_of(k.K_KP4, "4"), name_of(k.K_KP_ENTER, "\r")) == (
+        "left",
+        "4",
+        "enter",
+    )
+    assert name_of(k.K_PAUSE, "") == name_of(0, "") == ""
+    assert [key_named(word) for word in ("A", "ESC", "Left", " ", "\r")] == [
+        "a",
+        "esc",
+        "left",
+        "space",
+        "enter",
+    ]
+    assert all(key_named(name) == name for name in KEYSTROKES)
+
+
+def test_what_is_down_is_down_in_any_window() -> None:
+    queue = KeyQueue()
+    queue.hold("one", 2, frozenset({"left"}))
+    queue.hold("other", 4, frozenset({"x"}))
+    assert (queue.shifts, queue.held) == (6, {"left", "x"})
+    queue.hold("one", 0, frozenset())
+    assert (queue.shifts, queue.held) == (4, {"x"})
