@@ -4,16 +4,17 @@ A `Look` holds the options as they were given. For a surface of a certain size i
 pen, palette and view ready to draw with, and the surroundings ready to be drawn.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from surfaces import frame
+from surfaces import checks, frame
 from surfaces.arrays import Box, Doubles, keep_freed_memory, middle
 from surfaces.frame import Frame, draw_bar, write_title
-from surfaces.shape.sampling import Interval
+from surfaces.shape.sampling import Interval, real
 from surfaces.space.fitting import fit
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.projections import projection
@@ -25,11 +26,25 @@ from surfaces.visible.painter import FILLED, Easel
 
 MESH_LINES = 50
 """About how many lines a mesh has in each direction, unless told otherwise."""
+CHECKS: dict[str, Callable[[str, Any], Any]] = {
+    "theta": checks.number,
+    "rho_z": checks.number,
+    "zfrac": checks.or_none(checks.number),
+    "dither": checks.flag,
+    "lines": checks.or_none(checks.one_or_two),
+    "every": checks.or_none(checks.count),
+    "box": checks.flag,
+    "axes": checks.axes,
+    "title": checks.text,
+    "colorbar": checks.flag,
+    "on": checks.or_none(checks.system),
+}
+"""What is asked of each option when a `Look` is made."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Look:
-    """The options that surfaces of every kind share; ValueError for one out of range.
+    """The options that surfaces of every kind share; an error for one that cannot be.
 
     The plain words for each are in `surface`.
     """
@@ -64,10 +79,9 @@ class Look:
     """The graphics system to draw on. None: the BGI's current screen."""
 
     def __post_init__(self) -> None:
-        if self.every is not None and self.every < 1:
-            raise ValueError(f"every must be at least 1, not {self.every!r}")
-        if not isinstance(self.axes, bool) and len(self.axes) != 3:
-            raise ValueError(f"axes must be True, False or three names, not {self.axes!r}")
+        for name, check in CHECKS.items():
+            # What has been checked takes the place of what was given.
+            object.__setattr__(self, name, check(name, getattr(self, name)))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -116,6 +130,8 @@ class Look:
         view = Mapping(self.theta, self.rho_z) if given is None else projection(given)
         origin = middle(box)
         if mapping is not None:
+            if not isinstance(mapping, Projection):
+                raise TypeError(f"mapping must be such as `Mapping` makes, not {mapping!r:.60}")
             return translation(*origin), mapping
         low, high = box
         return fit(
@@ -216,7 +232,7 @@ class Stage:
 
 
 def _checked(transform: Doubles) -> Doubles:
-    T = np.asarray(transform, dtype=np.float64)
+    T = real(transform, "transform")
     if T.shape != (4, 4) or not np.isfinite(T).all():
         raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r}")
     return T

@@ -15,13 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from surfaces import checks
 from surfaces.arrays import Box, Doubles, middle
 from surfaces.formulas import formula
 from surfaces.look import Look, Stage
 from surfaces.modes import MODES, draw, draw_contours, draw_floor
 from surfaces.shape.fields import Color, fields
-from surfaces.shape.grid import Grid
-from surfaces.shape.sampling import Axis, Function, Interval, Table
+from surfaces.shape.grid import Grid, in_order
+from surfaces.shape.sampling import Axis, Function, Interval, Table, is_table, real
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
 from surfaces.space.transforms import Point, apply
@@ -35,6 +36,7 @@ from surfaces.visible.pictures import HeightPicture, SheetPicture
 
 Levels = int | Sequence[float]
 """Contour lines: how many, or at which z."""
+BLANK = "nothing of the surface can be seen: each of its cells has a corner without a value"
 DOMAIN = (-3.0, 3.0)
 """Where a formula is drawn, unless told otherwise."""
 
@@ -127,12 +129,12 @@ def surface(
 
     Args:
         f: A function of two numbers or, faster, of two numpy arrays. Or its formula, such as
-            "sin(x*y)/2". Or heights, a 2-D array of f[i, j] at x[i], y[j]. Or a list of functions
-            or formulas over one domain.
+            "sin(x*y)/2". Or heights, a 2-D array of f[i, j] at x[i], y[j], NaN or masked where
+            there is none. Or a list of functions, formulas or arrays over one domain.
         x: The domain, (a, b) with a < b; for a formula -3 to 3, if None. For heights also as many
-            numbers, even or uneven, or None to count from 0.
+            numbers, even or uneven, or None to count from 0, or what `numpy.meshgrid` made.
         y: The same for y.
-        n: Cells in each direction, or (nx, ny).
+        n: Cells in each direction, or (nx, ny), of 16 million points at most.
         mode: "fill": coloured by height. "mesh": lines of the grid. "fill+mesh": both.
             "waterfall": only lines of constant x. "wire": all lines, even hidden ones, in the
             current line style. "facets": cells of one colour, in the current fill pattern.
@@ -156,8 +158,8 @@ def surface(
         lines: The colour of lines, or two, for the upper and the under side. None: the current
             colour; in filled modes black.
         every: Draw every n-th line of the grid in a mesh. None: about fifty in all.
-        contours: Contour lines on the surface: how many, or at which z.
-        floor: Contour lines on the floor below it: how many, or at which z.
+        contours: Contour lines on the surface: how many, at most 1000, or at which z.
+        floor: Contour lines on the floor below it: how many, at most 1000, or at which z.
         box: Draw a box around the surface.
         axes: Draw axes with numbers; axes=("time", "Hz", "dB") names them, too.
         title: A line of text above the picture.
@@ -168,7 +170,8 @@ def surface(
         A `Plot`, which knows where on the screen a point is, and which point is at a pixel.
 
     Raises:
-        ValueError: for arguments out of range; nothing is drawn then.
+        ValueError: for arguments out of range, and where there is nothing to be seen.
+        TypeError: for arguments of another kind. In both cases nothing is drawn.
     """
     _check(mode, MODES)
     look = Look(
@@ -187,7 +190,10 @@ def surface(
         colorbar=colorbar,
         on=on,
     )
+    on_surface, on_floor = checks.levels("contours", contours), checks.levels("floor", floor)
     grids = _grids(f, x, y, n, z)
+    color = _in_order(color, f, x, y)
+    _check_seen(mode, grids)
     stage = look.stage(mode, _around(grids), grids[0].z.shape, transform, mapping)
     shown = fields(color, grids, stage.moved)
     picture = HeightPicture(
@@ -195,11 +201,10 @@ def surface(
         tuple(grid.around(stage.origin) for grid in grids),
         tuple(one.around(stage.origin) for one in shown),
     )
-    on_surface, on_floor = (_levels(wanted, stage.heights) for wanted in (contours, floor))
     with stage.surroundings(shown[0].limits):
-        draw_floor(picture, stage.above_origin(on_floor), stage.floor)
+        draw_floor(picture, stage.above_origin(_levels(on_floor, stage.heights)), stage.floor)
         draw(picture, mode)
-        draw_contours(picture, stage.above_origin(on_surface))
+        draw_contours(picture, stage.above_origin(_levels(on_surface, stage.heights)))
     return _plot(stage, picture, shown[0].limits)
 
 
@@ -260,7 +265,8 @@ def parametric(
         A `Plot`, as `surface` does.
 
     Raises:
-        ValueError: for arguments out of range; nothing is drawn then.
+        ValueError: for arguments out of range, and where there is nothing to be seen.
+        TypeError: for arguments of another kind. In both cases nothing is drawn.
     """
     _check(mode, painter.MODES)
     look = Look(
@@ -281,6 +287,8 @@ def parametric(
     )
     sheet = Sheet.sample(f, u, v, n)
     stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping)
+    if not sheet.whole.any() and mode != "wire":
+        raise ValueError(BLANK)
     shown = sheet.field(color)
     picture = SheetPicture(stage.easel, sheet.around(stage.origin), shown)
     with stage.surroundings(shown.limits):
@@ -289,7 +297,7 @@ def parametric(
 
 
 def _check(mode: str, modes: Collection[str]) -> None:
-    if mode not in modes:
+    if not isinstance(mode, str) or mode not in modes:
         raise ValueError(f"mode must be one of {', '.join(map(repr, modes))}, not {mode!r}")
 
 
@@ -319,7 +327,26 @@ def _grids(
 
 
 def _is_surface(f: Any) -> bool:
-    return callable(f) or isinstance(f, (str, Grid))
+    return callable(f) or isinstance(f, (str, Grid)) or is_table(f)
+
+
+def _in_order(color: Color, f: Any, x: Axis | None, y: Axis | None) -> Color:
+    """Colours in an array of the same shape as heights are in the same order, too."""
+    if isinstance(color, str) or callable(color):
+        return color
+    values = real(color, "color")
+    first = f[0] if isinstance(f, (list, tuple)) and is_table(f[0]) else f
+    if is_table(first) and np.shape(first) == values.shape:
+        return in_order(x, y, values)[2]
+    return values
+
+
+def _check_seen(mode: str, grids: Sequence[Grid]) -> None:
+    lines = mode in ("wire", "waterfall") and any(
+        joined.any() for grid in grids for joined in grid.joined
+    )
+    if all(grid.blank for grid in grids) and not lines:
+        raise ValueError(BLANK)
 
 
 def _around(grids: Sequence[Grid]) -> Box:
@@ -328,9 +355,10 @@ def _around(grids: Sequence[Grid]) -> Box:
     return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
 
-def _levels(levels: Levels, heights: Interval) -> list[float]:
+def _levels(levels: int | list[float], heights: Interval) -> list[float]:
     """Heights for contours: about as many round ones as asked for, or those given."""
     low, high = heights
-    if not isinstance(levels, int):
-        return [float(level) for level in levels]
-    return [level for level in ticks(low, high, levels) if low < level < high] if levels else []
+    if isinstance(levels, list):
+        return levels
+    found = ticks(low, high, levels, least=1) if levels else []
+    return [level for level in found if low < level < high]

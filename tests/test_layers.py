@@ -67,6 +67,7 @@ LAYERS = [
     "surfaces.beside",
     "surfaces.arrays",
     "surfaces.ticks",
+    "surfaces.checks",
     "surfaces.formulas",
     "surfaces.animation",
     "surfaces.space.transforms",

@@ -5,7 +5,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from surfaces.arrays import Ints
+from surfaces.arrays import Bools, Ints
 
 Item = TypeVar("Item", bound=np.generic)
 
@@ -16,6 +16,12 @@ def quads(nodes: NDArray[Item]) -> NDArray[Item]:
     From nodes of shape (nx+1, ny+1, k), an array of shape (nx, ny, 4, k); the corners go round.
     """
     return np.stack((nodes[:-1, :-1], nodes[1:, :-1], nodes[1:, 1:], nodes[:-1, 1:]), axis=2)
+
+
+def all_corners(there: Bools) -> Bools:
+    """Which cells have all four corners among these nodes."""
+    sides = there[:-1] & there[1:]
+    return np.asarray(sides[:, :-1] & sides[:, 1:])
 
 
 def every_nth(count: int, n: int) -> Ints:

@@ -10,7 +10,7 @@ import numpy as np
 
 from surfaces.arrays import Doubles
 from surfaces.shape.grid import Grid
-from surfaces.shape.sampling import Function, Interval, Table, evaluate
+from surfaces.shape.sampling import Function, Interval, Table, cut, evaluate, real
 
 Color = str | Function | Table
 """What colours can show: a name of `FIELDS`, a function of x and y, a number for every node."""
@@ -81,17 +81,17 @@ def field(color: Color, grid: Grid, T: Doubles) -> Field:
             raise ValueError(f"color must be {names}, an array or a function, not {color!r}")
         return FIELDS[color](grid, T)
     if callable(color):
-        nodes = evaluate(color, *np.meshgrid(grid.x, grid.y, indexing="ij"))
-        return replace(spread(nodes), quantity=lambda points: evaluate(color, *points.T[:2]))
-    values = np.asarray(color, dtype=np.float64)
+        nodes = evaluate(color, *np.meshgrid(grid.x, grid.y, indexing="ij"), name="color")
+        return replace(spread(nodes), quantity=lambda at: evaluate(color, at[:, 0], at[:, 1]))
+    values = real(color, "color")
     if values.shape != grid.z.shape:
         raise ValueError(f"color must have the shape {grid.z.shape}, not {values.shape}")
     return spread(values)
 
 
 def spread(values: Doubles) -> Field:
-    """Values of any range as a field; what is not finite is missing."""
-    values = np.where(np.isfinite(values), values, np.nan)
+    """Values as a field; what is not finite, or too large to count with, is missing."""
+    values = cut(values, None)
     if np.isnan(values).all():
         raise ValueError("color has no finite value")
     low, high = float(np.nanmin(values)), float(np.nanmax(values))

@@ -10,6 +10,7 @@ leads from one end straight to the other is a pole, not a wall: it becomes a hol
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,17 +18,17 @@ import numpy as np
 
 from surfaces.arrays import Bools, Box, Doubles, Ints
 from surfaces.shape import rim
-from surfaces.shape.cells import every_nth
+from surfaces.shape.cells import all_corners, every_nth
 from surfaces.shape.rim import Rim
 from surfaces.shape.sampling import (
-    HUGE,
-    TINY,
     Axis,
     Function,
     Interval,
     Table,
+    cut,
     evaluate,
     interval,
+    is_table,
     nodes,
     real,
 )
@@ -88,10 +89,10 @@ class Grid:
             found = _beside(f, across[missing], along[missing], *size)
             values = values.copy()
             values[missing] = np.where(np.isnan(found), values[missing], found)
-        values = _cut(values, limits)
+        values = cut(values, limits)
         if np.isnan(values).all():
             raise ValueError(f"f has no finite value on x = {x!r}, y = {y!r}")
-        return cls(xs, ys, values, limits, lambda x, y: _cut(evaluate(f, x, y), limits))
+        return cls(xs, ys, values, limits, lambda x, y: cut(evaluate(f, x, y), limits))
 
     @classmethod
     def of(
@@ -104,9 +105,10 @@ class Grid:
         """A grid from heights that are known: values[i, j] at x[i], y[j].
 
         Args:
-            values: A 2-D array of 2 by 2 numbers or more; NaN where there is none.
+            values: A 2-D array of 2 by 2 numbers or more; NaN or masked where there is none.
             x: (a, b) for even steps from a to b, or as many numbers as there are, in even or uneven
-                steps, ascending or descending. None counts from 0.
+                steps, ascending or descending. None counts from 0. x and y may also be those that
+                `numpy.meshgrid` makes, with either indexing.
             y: The same for y.
             z: (low, high): where to cut heights off, infinities too. Without it these are missing.
 
@@ -117,12 +119,11 @@ class Grid:
         if heights.ndim != 2 or min(heights.shape) < 2:
             raise ValueError(f"f must be a function or 2 x 2 numbers or more, not {heights.shape}")
         limits = None if z is None else interval("z", z)
-        xs, ys = _axis("x", x, heights.shape[0]), _axis("y", y, heights.shape[1])
-        heights = heights[:: 1 if xs[0] < xs[-1] else -1, :: 1 if ys[0] < ys[-1] else -1]
-        heights = _cut(heights, limits)
+        xs, ys, heights = in_order(x, y, heights)
+        heights = cut(heights, limits)
         if np.isnan(heights).all():
             raise ValueError("the data have no finite value")
-        return cls(np.sort(xs), np.sort(ys), heights, limits)
+        return cls(xs, ys, heights, limits)
 
     @cached_property
     def rim(self) -> Rim | None:
@@ -148,9 +149,9 @@ class Grid:
     @property
     def whole(self) -> Bools:
         """Which cells, (nx, ny), are part of the surface: the others are holes."""
-        whole = _all_corners(np.isfinite(self.z))
+        whole = all_corners(np.isfinite(self.z))
         if self.limits is not None:
-            low, high = (~_all_corners(self.z != limit) for limit in self.limits)
+            low, high = (~all_corners(self.z != limit) for limit in self.limits)
             whole &= ~(low & high)
         return whole
 
@@ -177,6 +178,11 @@ class Grid:
             None if limits is None else (limits[0] - z, limits[1] - z),
             None if value is None else lambda across, along: value(across + x, along + y) - z,
         )
+
+    @property
+    def blank(self) -> bool:
+        """Whether there is no part of it that could be filled: each cell is next to a hole."""
+        return not self.whole.any() and (self.rim is None or not len(self.rim.corners))
 
     def loose_ends(self, every: int) -> tuple[Doubles, Bools]:
         """Where lines of a mesh go on from their last node to the rim of a hole.
@@ -207,16 +213,30 @@ class Grid:
 sample, data = Grid.sample, Grid.of
 
 
-def _all_corners(there: Bools) -> Bools:
-    """Which cells have all four corners among these nodes."""
-    sides = there[:-1] & there[1:]
-    return np.asarray(sides[:, :-1] & sides[:, 1:])
+def in_order(x: Axis | None, y: Axis | None, values: Doubles) -> tuple[Doubles, Doubles, Doubles]:
+    """Ascending x and y, and values[i, j] at x[i], y[j]; the arguments are those of `Grid.of`."""
+    if is_table(x) or is_table(y):
+        x, y, values = _axes_of_meshgrid(real(x, "x"), real(y, "y"), values)
+    xs, ys = _axis("x", x, values.shape[0]), _axis("y", y, values.shape[1])
+    values = values[:: 1 if xs[0] < xs[-1] else -1, :: 1 if ys[0] < ys[-1] else -1]
+    return np.sort(xs), np.sort(ys), values
+
+
+def _axes_of_meshgrid(x: Doubles, y: Doubles, values: Doubles) -> tuple[Doubles, Doubles, Doubles]:
+    """The axes that were given to `numpy.meshgrid`, and values[i, j] at x[i], y[j]."""
+    with suppress(ValueError):  # shapes that do not match
+        x, y = np.broadcast_to(x, values.shape), np.broadcast_to(y, values.shape)
+        if (x == x[:, :1]).all() and (y == y[:1]).all():  # indexing="ij"
+            return x[:, 0], y[0], values
+        if (x == x[:1]).all() and (y == y[:, :1]).all():  # indexing="xy"
+            return x[0], y[:, 0], values.T
+    raise ValueError(f"x and y must be axes, or what meshgrid makes of them, for {values.shape}")
 
 
 def _axis(name: str, axis: Axis | None, count: int) -> Doubles:
     if axis is None:
         return np.arange(count, dtype=np.float64)
-    places = np.asarray(axis, dtype=np.float64)
+    places = real(axis, name)
     if places.shape == (2,) and np.isfinite(places).all():
         places = np.linspace(places[0], places[1], count)
     steps = np.diff(places)
@@ -224,14 +244,6 @@ def _axis(name: str, axis: Axis | None, count: int) -> Doubles:
     if not even_sign or not np.isfinite(places).all():
         raise ValueError(f"{name} must be (a, b) or {count} rising or falling numbers")
     return places
-
-
-def _cut(z: Doubles, limits: Interval | None) -> Doubles:
-    """Heights within the limits; without limits, infinities become NaN."""
-    if limits is not None:
-        return np.clip(z, *limits)
-    z = np.where(np.abs(z) < TINY, 0.0, z)
-    return np.where(np.abs(z) > HUGE, np.nan, z)
 
 
 def _beside(f: Function, x: Doubles, y: Doubles, width: float, depth: float) -> Doubles:

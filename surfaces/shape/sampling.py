@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfaces.arrays import Doubles
+from surfaces.checks import one_or_two
 
 Function = Callable[[Any, Any], Any]
 """A function of two numbers or, faster, of two arrays."""
@@ -20,6 +21,9 @@ HUGE = 1e30
 """What is larger counts as infinite..."""
 TINY = 1 / HUGE
 """... and what is smaller as 0, so that no later arithmetic overflows."""
+
+MOST_POINTS = 1 << 24
+"""The points of a surface at most; a picture of so many takes about a gigabyte."""
 
 
 def interval(name: str, given: Any) -> Interval:
@@ -44,9 +48,12 @@ def nodes(n: int | tuple[int, int], **intervals: Any) -> tuple[Doubles, Doubles]
     Raises:
         ValueError: unless n is 1 or more and the intervals are (a, b) with a < b.
     """
-    counts = n if isinstance(n, tuple) else (n, n)
+    plain = one_or_two("n", n)
+    counts = plain if isinstance(plain, tuple) else (plain, plain)
     if min(counts) < 1:
         raise ValueError(f"n must be at least 1 in each direction, not {n!r}")
+    if (counts[0] + 1) * (counts[1] + 1) > MOST_POINTS:
+        raise ValueError(f"n must leave at most {MOST_POINTS} points, which n={n!r:.60} does not")
     first, second = (
         np.linspace(*interval(name, given), count + 1)
         for (name, given), count in zip(intervals.items(), counts, strict=True)
@@ -54,32 +61,64 @@ def nodes(n: int | tuple[int, int], **intervals: Any) -> tuple[Doubles, Doubles]
     return first, second
 
 
-def evaluate(f: Function, x: Doubles, y: Doubles) -> Doubles:
+def evaluate(f: Function, x: Doubles, y: Doubles, name: str = "f") -> Doubles:
     """f at every point of two arrays of one shape, NaN where it has no value."""
     with np.errstate(all="ignore"):
         try:
-            z = real(f(x, y))
+            z = real(f(x, y), name)
             whole = z.shape == x.shape
         except Exception:  # whatever a function of single numbers does when given arrays
             whole = False
         if not whole:
-            z = np.vectorize(_or_nan(f), otypes=[np.float64])(x, y)
+            z = np.vectorize(_or_nan(f, name), otypes=[np.float64])(x, y)
     return z
 
 
-def real(values: Any) -> Doubles:
-    """What a function returned, as floats; TypeError for complex numbers."""
-    if np.iscomplexobj(values):
-        raise TypeError("f must return real numbers, not complex ones")
-    return np.asarray(values, dtype=np.float64)
+def is_table(values: Any) -> bool:
+    """Whether these are numbers in rows."""
+    try:
+        return np.ndim(values) == 2
+    except ValueError:  # rows of different lengths
+        return False
 
 
-def _or_nan(f: Function) -> Callable[[float, float], float]:
+def real(values: Any, name: str = "f") -> Doubles:
+    """Numbers of any kind as floats; what is masked is NaN.
+
+    Raises:
+        TypeError: for complex numbers, dates, and what is no number.
+        ValueError: for more than can be drawn, or rows of different lengths.
+    """
+    if getattr(values, "size", 0) > MOST_POINTS:
+        raise ValueError(f"{name} must have at most {MOST_POINTS} numbers, not {values.size}")
+    may_be_masked = isinstance(values, (list, tuple, np.ma.MaskedArray))
+    try:
+        table = np.ma.asarray(values) if may_be_masked else np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} must have rows of one length, all of numbers") from None
+    if table.dtype.kind not in "biufO":
+        raise TypeError(f"{name} must be real numbers, not {table.dtype}")
+    try:
+        floats = table.astype(np.float64, copy=False)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be numbers, not {values!r:.60}") from None
+    return np.ma.filled(floats, np.nan) if may_be_masked else floats
+
+
+def cut(z: Doubles, limits: Interval | None) -> Doubles:
+    """Heights within the limits; without limits, infinities become NaN."""
+    if limits is not None:
+        return np.clip(z, *limits)
+    z = np.where(np.abs(z) < TINY, 0.0, z)
+    return np.where(np.abs(z) > HUGE, np.nan, z)
+
+
+def _or_nan(f: Function, name: str) -> Callable[[float, float], float]:
     """f for single numbers, with NaN where Python's arithmetic gives up."""
 
     def value(x: float, y: float) -> float:
         try:
-            return float(real(f(x, y)))
+            return float(real(f(x, y), name))
         except (ArithmeticError, ValueError):  # 1/0, math.log(-1), math.exp(1000)
             return float("nan")
 

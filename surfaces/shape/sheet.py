@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from surfaces.arrays import Box, Doubles
+from surfaces.arrays import Bools, Box, Doubles
+from surfaces.shape.cells import all_corners
 from surfaces.shape.fields import Field, spread
-from surfaces.shape.sampling import Function, Interval, evaluate, nodes
+from surfaces.shape.sampling import Function, Interval, cut, evaluate, nodes, real
 
 
 @dataclass(frozen=True)
@@ -38,10 +39,11 @@ class Sheet:
         across, along = np.meshgrid(us, vs, indexing="ij")
         with np.errstate(all="ignore"):
             place = f(across, along)
-        if len(place) != 3:
-            raise ValueError(f"f must return x, y and z, not {len(place)} values")
-        points = np.stack([np.broadcast_to(c, across.shape) for c in place], axis=-1)
-        points = points.astype(np.float64)
+        parts = list(place) if np.iterable(place) else [place]
+        if len(parts) != 3:
+            raise ValueError(f"f must return x, y and z, not {len(parts)} values")
+        parts = [cut(np.broadcast_to(real(part), across.shape), None) for part in parts]
+        points = np.stack(parts, axis=-1)
         points = np.where(np.isfinite(points).all(axis=-1, keepdims=True), points, np.nan)
         if np.isnan(points).all():
             raise ValueError(f"f has no finite point on u = {u!r}, v = {v!r}")
@@ -56,14 +58,19 @@ class Sheet:
 
         What has no value counts as the lowest.
         """
-        if color == "z":
+        if isinstance(color, str) and color == "z":
             values = self.points[..., 2]
         elif callable(color):
-            values = evaluate(color, *np.meshgrid(self.u, self.v, indexing="ij"))
+            values = evaluate(color, *np.meshgrid(self.u, self.v, indexing="ij"), name="color")
         else:
             raise ValueError(f'color must be "z" or a function of u and v, not {color!r}')
         found = spread(values)
         return found.scaled(found.limits)
+
+    @property
+    def whole(self) -> Bools:
+        """Which cells, (nu, nv), have all their corners: the others are holes."""
+        return all_corners(np.isfinite(self.points[..., 2]))
 
     @property
     def box(self) -> Box:

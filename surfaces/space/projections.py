@@ -57,6 +57,6 @@ def projection(view: str | Projection) -> Projection:
     """The projection of that name, or the one given; ValueError for an unknown name."""
     if isinstance(view, Projection):
         return view
-    if view not in PROJECTIONS:
+    if not isinstance(view, str) or view not in PROJECTIONS:
         raise ValueError(f"projection must be one of {', '.join(PROJECTIONS)}, not {view!r}")
     return PROJECTIONS[view]

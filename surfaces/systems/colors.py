@@ -154,6 +154,6 @@ def palette(colors: int, ramp: str | Ramp, under: str | Ramp, dither: bool) -> P
 def _named(what: str, ramp: str | Ramp) -> Ramp:
     if isinstance(ramp, Ramp):
         return ramp
-    if ramp not in RAMPS:
+    if not isinstance(ramp, str) or ramp not in RAMPS:
         raise ValueError(f"{what} must be one of {', '.join(RAMPS)}, not {ramp!r}")
     return RAMPS[ramp]

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from surfaces import Mapping, data, sample, surface
+from surfaces import Mapping, data, parametric, sample, surface
 from tests.surfaces.raycast import Canvas
 
 
@@ -103,12 +103,126 @@ def test_a_pole_is_a_hole_and_not_a_wall() -> None:
 
 
 @pytest.mark.parametrize("mode", ["fill", "mesh", "fill+mesh", "waterfall", "wire", "facets"])
-def test_a_surface_of_holes_draws_nothing_but_lines(mode: str) -> None:
+def test_a_surface_without_a_cell_is_an_error(mode: str) -> None:
+    """It was blank, without a word."""
     canvas = Canvas(60, 40)
     chessboard = np.where(np.indices((6, 6)).sum(axis=0) % 2, np.nan, 1.0)
-    plot = surface(chessboard, mode=mode, on=canvas)
+    with pytest.raises(ValueError, match="each of its cells has a corner without a value"):
+        surface(chessboard, mode=mode, on=canvas)
+    with pytest.raises(ValueError, match="each of its cells has a corner without a value"):
+        surface([chessboard, chessboard], mode=mode, axes=True, on=canvas)
     assert not canvas.array.any()
-    assert plot.pick(30, 20) is None
+
+
+@pytest.mark.parametrize("mode", ["wire", "waterfall"])
+def test_lines_are_enough_where_lines_are_drawn(mode: str) -> None:
+    canvas = Canvas(60, 40)
+    rows = np.where(np.indices((6, 6))[0] % 2, np.nan, 1.0)
+    surface(rows, mode=mode, on=canvas)
+    assert canvas.array.any()
+
+
+def test_a_body_without_a_cell_is_an_error() -> None:
+    canvas = Canvas(60, 40)
+
+    def rows(u: Any, v: Any) -> Any:
+        return u, v, np.where(np.round(u) % 2, np.nan, u * v)
+
+    with pytest.raises(ValueError, match="each of its cells has a corner without a value"):
+        parametric(rows, (0, 6), (0, 6), 6, on=canvas)
+    assert not canvas.array.any()
+
+
+# What is masked ----------------------------------------------------------------------------------
+
+HEIGHTS = np.add.outer(np.arange(6.0) ** 2, np.arange(5.0))
+HIDDEN = HEIGHTS > 20
+MASKED = np.ma.masked_where(HIDDEN, HEIGHTS)
+HOLES = np.where(HIDDEN, np.nan, HEIGHTS)
+
+
+def test_what_is_masked_is_a_hole_in_data() -> None:
+    assert np.array_equal(data(MASKED).z, HOLES, equal_nan=True)
+    assert np.array_equal(data(list(MASKED)).z, HOLES, equal_nan=True)
+    assert np.array_equal(data(MASKED.astype(np.int16)).z, HOLES, equal_nan=True)
+
+
+def test_what_is_masked_is_a_hole_in_a_function() -> None:
+    def half(x: Any, y: Any) -> Any:
+        return np.ma.masked_where(x > 0, x + y)
+
+    assert np.isnan(sample(half, (-1, 1), (-1, 1), 4).z).sum(axis=1).tolist() == [0, 0, 0, 5, 5]
+    one_by_one = sample(lambda x, y: half(float(x), float(y)), (-1, 1), (-1, 1), 4)
+    assert np.isnan(one_by_one.z).sum(axis=1).tolist() == [0, 0, 0, 5, 5]
+
+
+def test_what_is_masked_is_a_hole_in_a_body() -> None:
+    pages = []
+    for hide in (np.ma.masked_where, lambda there, z: np.where(there, np.nan, z)):
+        page = Canvas(60, 40)
+        parametric(lambda u, v, h=hide: (u, v, h(u > 1, u * v)), (0, 2), (0, 2), 8, on=page)
+        pages.append(page.array)
+    assert (pages[0] == pages[1]).all()
+    assert pages[0].any()
+
+
+def test_what_is_masked_has_no_color() -> None:
+    pages = [Canvas(60, 40), Canvas(60, 40), Canvas(60, 40)]
+    for color, page in zip((MASKED, HOLES, HEIGHTS), pages, strict=True):
+        surface(HEIGHTS, color=color, on=page)
+    assert (pages[0].array == pages[1].array).all()
+    assert (pages[0].array != pages[2].array).any()
+
+
+# Axes in other forms -----------------------------------------------------------------------------
+
+X, Y = np.array((0.0, 1.0, 3.0, 4.0, 6.0, 7.0)), np.array((5.0, 3.0, 2.0, 1.0, 0.0))
+
+
+@pytest.mark.parametrize("indexing", ["ij", "xy"])
+@pytest.mark.parametrize("sparse", [False, True])
+def test_axes_may_be_those_of_meshgrid(indexing: Any, sparse: bool) -> None:
+    x, y = np.meshgrid(X, Y, indexing=indexing, sparse=sparse)
+    values = HEIGHTS if indexing == "ij" else HEIGHTS.T
+    one, other = data(values, x, y), data(HEIGHTS, X, Y)
+    assert (one.x.tolist(), one.y.tolist()) == (X.tolist(), Y[::-1].tolist())
+    assert (one.z == other.z).all()
+
+
+def test_axes_that_are_no_grid_are_refused() -> None:
+    x, y = np.meshgrid(X, Y, indexing="ij")
+    for wrong in ((x + y, y), (x, None), (x[1:], y), (x.T, y)):
+        with pytest.raises(ValueError, match=r"^x and y must be axes, or what|^x must"):
+            data(HEIGHTS, *wrong)
+
+
+@pytest.mark.parametrize("indexing", ["ij", "xy"])
+def test_colors_are_in_the_order_of_heights(indexing: Any) -> None:
+    """With falling axes colours were mirrored, for only the heights had been turned round."""
+    x, y = np.meshgrid(X, Y, indexing=indexing)
+    as_array, as_function = Canvas(60, 40), Canvas(60, 40)
+    values = HEIGHTS if indexing == "ij" else HEIGHTS.T
+    surface(values, x, y, color=x - 3 * y, mode="facets", on=as_array)
+    surface(values, x, y, color=lambda x, y: x - 3 * y, mode="facets", on=as_function)
+    assert (as_array.array == as_function.array).all()
+
+
+def test_a_list_of_arrays_is_several_surfaces() -> None:
+    pages = [Canvas(60, 40), Canvas(60, 40)]
+    flat = np.zeros((6, 5))
+    surface([HEIGHTS, flat + 9], X, Y, on=pages[0])
+    surface([data(HEIGHTS, X, Y), data(flat + 9, X, Y)], on=pages[1])
+    assert (pages[0].array == pages[1].array).all()
+    surface([HEIGHTS.tolist(), flat.tolist()], X, Y, on=Canvas(60, 40))
+    with pytest.raises(ValueError, match="same x and y"):
+        surface([HEIGHTS, np.zeros((3, 3))], on=Canvas(60, 40))
+
+
+def test_dates_are_not_mistaken_for_numbers() -> None:
+    """They would have been days, seconds or nanoseconds, whatever numpy counts them in."""
+    days = np.arange("2024-03-01", "2024-03-07", dtype="datetime64[D]")
+    with pytest.raises(TypeError, match="x must be real numbers, not datetime64"):
+        surface(HEIGHTS, days, Y, on=Canvas(60, 40))
 
 
 @pytest.mark.parametrize("mode", ["fill", "mesh", "fill+mesh", "waterfall", "wire", "facets"])

@@ -82,7 +82,7 @@ def test_modes_of_sheets_are_modes_of_height_fields() -> None:
     ],
 )
 def test_axes_are_three_names_or_none(axes: Any, names: tuple[str, ...]) -> None:
-    given: dict[str, Any] = dict.fromkeys(LOOK)
+    given = {name: options(surface)[name].default for name in LOOK}
     assert Look(**given | {"axes": axes}).names == names
 
 
@@ -96,7 +96,7 @@ def test_nothing_is_drawn_behind_a_surface_that_cannot_be() -> None:
     bgi.initgraph(bgi.VGA, bgi.VGAHI)
     wrong: list[dict[str, Any]] = [
         {"color": "none"},
-        {"contours": ["high"]},
+        {"ramp": "none"},
         {"transform": np.zeros((4, 4))},
     ]
     for one in wrong:
