@@ -9,11 +9,13 @@ header has is imported by name, as in `from bgi.dos import random, randomize`.
 from __future__ import annotations
 
 import time as _time
+from calendar import timegm
 from dataclasses import dataclass
 
 from bgi import current
 from bgi.kernel.arguments import Number, real, whole
 from bgi.kernel.state import KERNEL
+from bgi.monitor import moment
 from bgi.monitor.keycodes import bios_code
 
 __all__ = ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
@@ -98,7 +100,7 @@ def getdate() -> date:
 
 def clock() -> int:
     """Return the timer's ticks, 18.2 a second, since the program began. Source: time.h."""
-    return int((_now() - _BEGAN) * CLK_TCK)
+    return int((_now() - moment.began()) * CLK_TCK)
 
 
 def biostime(cmd: Number, newtime: Number = 0) -> int:
@@ -120,7 +122,7 @@ def biostime(cmd: Number, newtime: Number = 0) -> int:
 def _now() -> float:
     """Seconds since 1970, by the monitor's clock where there is one: without a window it counts."""
     here = current.loaded()
-    return _time.time() if here is None else current.reachable().monitor.time()
+    return moment.now() if here is None else current.reachable().monitor.time()
 
 
 def _local(now: float) -> _time.struct_time:
@@ -129,9 +131,6 @@ def _local(now: float) -> _time.struct_time:
         return _time.localtime(now)
     except (OSError, OverflowError, ValueError):
         raise ValueError("the clock does not go so far: the program has waited too long") from None
-
-
-_BEGAN = _time.time()
 
 
 # Sound
@@ -190,7 +189,7 @@ def random(num: Number) -> int:
 
 def randomize() -> None:
     """Make rand() and random() different in every run, by the clock. Source: stdlib.h."""
-    srand(int(_now()))
+    srand(timegm(_local(_now())))
 
 
 # The keyboard by the BIOS

@@ -45,6 +45,7 @@ LAYERS = [
     "bgi.monitor.keyqueue",
     "bgi.monitor.script",
     "bgi.monitor.timeline",
+    "bgi.monitor.moment",
     "bgi.monitor.protocol",
     "bgi.monitor.",
     "bgi.graphics.screen",

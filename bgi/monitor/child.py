@@ -6,6 +6,7 @@ program goes: at the end of its input, or when it finds itself adopted by anothe
 """
 
 import contextlib
+import math
 import os
 import queue
 import signal
@@ -202,9 +203,10 @@ class Child:
 
 def _rate() -> float:
     try:
-        return max(float(os.environ.get("BGI_RATE", RATE)), 1)
+        rate = float(os.environ.get("BGI_RATE", RATE))
     except ValueError:
         return RATE
+    return max(rate, 1) if math.isfinite(rate) else RATE
 
 
 def _listen(inbox: Inbox) -> None:

@@ -13,6 +13,7 @@ from collections.abc import Callable
 
 from bgi.errors import BGIError, NobodyThere, TimeIsUp
 from bgi.memory.card import Card
+from bgi.monitor import moment
 from bgi.monitor.keyqueue import KeyQueue
 from bgi.monitor.plan import Plan, saving
 from bgi.monitor.pointer import Mouse
@@ -22,7 +23,7 @@ from bgi.monitor.timeline import Timeline
 # Milliseconds that it takes ...
 PICTURE = 1000 / 60  # to show a picture
 KEY = 250  # to press a key that the program waits for
-QUESTION = 0.1  # to ask whether there is a key, where the mouse is, or what time it is
+QUESTION = moment.QUESTION  # to ask whether there is a key, where the mouse is, or the time
 
 # A planned end comes in real time, too, for a program that sleeps by itself as in time.sleep(). One
 # that is busy has more: it may be computing a picture.
@@ -55,7 +56,7 @@ class Headless:
         self.sounds: list[tuple[float, int]] = []
         self._mouse = Mouse(lambda *message: None)
         self._owner = os.getpid()
-        self._began = time.time()
+        self._began = moment.now()
         self._card = card
         self._plan = plan or Plan.from_environment(keys)
         neighbour = beside if isinstance(beside, Headless) else None
@@ -159,13 +160,13 @@ class Headless:
         """Let time pass, and the end come."""
         self._pass_until(self.now + milliseconds)
 
-    def _pass_until(self, moment: float) -> None:
+    def _pass_until(self, then: float) -> None:
         if self._over is not None:
             raise self._over.with_traceback(None)
-        if moment - self._recorded[0] >= PICTURE and self._card is not None:
+        if then - self._recorded[0] >= PICTURE and self._card is not None:
             self._record(self._card)
         end = 1000 * self._plan.after
-        self._time.move_to(min(moment, end))
+        self._time.move_to(min(then, end))
         if self.now >= end:
             raise self._end()
 

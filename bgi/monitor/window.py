@@ -14,6 +14,7 @@ from collections.abc import Callable
 
 from bgi.errors import BGIError, TimeIsUp, WindowClosed
 from bgi.memory.card import Card
+from bgi.monitor import moment
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import PIECE_SECONDS, KeyQueue
 from bgi.monitor.plan import Plan, note
@@ -49,6 +50,7 @@ class Window:
         self._owner = os.getpid()
         neighbour = beside if isinstance(beside, Window) else None
         self._keys: KeyQueue = neighbour._keys if neighbour else KeyQueue()
+        self._ahead = moment.now() - time.time()  # of the clock on the wall
         self._idling = Idling(card)
         self._mouse = Mouse(self._send)
         self._news = threading.Condition()
@@ -142,7 +144,7 @@ class Window:
     def time(self) -> float:
         """The time, in seconds since 1970."""
         self._question()
-        return time.time()
+        return time.time() + self._ahead
 
     def sleep(self, milliseconds: float) -> None:
         """Let that time pass."""

@@ -1,8 +1,12 @@
 """conio.h's keyboard and dos.h's time, sound and chance, without a window."""
 
 import itertools
+import os
 import random
+import subprocess
+import sys
 import time
+from calendar import timegm
 
 import pytest
 
@@ -142,6 +146,46 @@ def test_a_clock_that_has_gone_too_far(monkeypatch: pytest.MonkeyPatch) -> None:
     for call in (dos.gettime, dos.getdate, lambda: dos.biostime(0)):
         with pytest.raises(ValueError, match="the clock does not go so far"):
             call()
+
+
+# A script: every run is like every other
+
+QUESTIONS = """
+from bgi import *
+from bgi import dos
+dos.randomize()
+print(dos.gettime(), dos.getdate(), dos.clock(), dos.rand())
+initgraph()
+dos.randomize()
+delay(1234)
+print(dos.gettime(), dos.getdate(), dos.clock(), dos.rand())
+"""
+
+
+@pytest.mark.parametrize("zone", ["UTC", "Asia/Kathmandu"])
+def test_under_a_script_the_clock_begins_at_one_moment(zone: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", QUESTIONS],
+        env=os.environ | {"BGI_KEYS": "a", "TZ": zone},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    first, second = done.stdout.splitlines()
+    noon = "time(ti_min=0, ti_hour=12, ti_hund=0, ti_sec=0)"
+    later = "time(ti_min=0, ti_hour=12, ti_hund=23, ti_sec=1)"
+    day = "date(da_year=1992, da_day=1, da_mon=1)"
+    dos.srand(timegm((1992, 1, 1, 12, 0, 0)))
+    dice = dos.rand()
+    assert first == f"{noon} {day} 0 {dice}"
+    assert second == f"{later} {day} 22 {dice}"
+
+
+def test_under_a_script_time_goes_on_without_a_screen(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BGI_KEYS", "a")
+    end = dos.clock() + 3
+    while dos.clock() < end:
+        pass
 
 
 # Chance

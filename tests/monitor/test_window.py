@@ -20,7 +20,7 @@ import bgi.monitor
 from bgi.errors import BGIError, WindowClosed
 from bgi.memory.card import Card
 from bgi.memory.sdl import pygame
-from bgi.monitor import Headless, Monitor, Window, choose
+from bgi.monitor import Headless, Monitor, Window, child, choose
 from bgi.monitor.child import Child
 from bgi.monitor.display import Display
 from bgi.monitor.idling import REST_SECONDS, Idling
@@ -275,6 +275,34 @@ def test_windows_killed_again_and_again(card: Card) -> None:
                 window.show()
         window.close()
         assert gone(window.pid)
+
+
+def test_under_a_script_the_clock_of_a_window_begins_at_one_moment(
+    card: Card, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("BGI_KEYS", "a")
+    window = Window(card)
+    assert time.localtime(window.time())[:3] == (1992, 1, 1)
+    before = window.time()
+    window.sleep(20)
+    assert window.time() - before >= 0.019
+    window.close()
+
+
+@pytest.mark.parametrize(
+    ("given", "rate"),
+    [
+        ("100", 100),
+        ("0.5", 1),
+        ("-3", 1),
+        ("nan", child.RATE),
+        ("inf", child.RATE),
+        ("x", child.RATE),
+    ],
+)
+def test_the_rate_of_pictures(monkeypatch: pytest.MonkeyPatch, given: str, rate: float) -> None:
+    monkeypatch.setenv("BGI_RATE", given)
+    assert child._rate() == rate
 
 
 # Sound
