@@ -6,6 +6,7 @@ meaning is a TypeError, and what is out of range a ValueError; both name the opt
 
 import operator
 from collections.abc import Callable
+from math import isfinite
 from numbers import Real
 from typing import Any, TypeVar
 
@@ -31,6 +32,14 @@ def number(name: str, given: Any) -> float:
     if isinstance(given, Real):
         return float(given)
     raise TypeError(f"{name} must be a number, not {given!r:.60}")
+
+
+def finite(name: str, given: Any) -> float:
+    """A number that is no infinity and not NaN."""
+    found = number(name, given)
+    if not isfinite(found):
+        raise ValueError(f"{name} must be finite, not {given!r}")
+    return found
 
 
 def whole(name: str, given: Any) -> int:
@@ -82,7 +91,7 @@ def levels(name: str, given: Any) -> int | list[float]:
     """How many contour lines, or at which heights."""
     if _is_series(given) or isinstance(given, range):
         if len(given) <= MOST_LEVELS:
-            return [number(name, one) for one in given]
+            return [finite(name, one) for one in given]
     elif 0 <= whole(name, given) <= MOST_LEVELS:
         return whole(name, given)
     raise ValueError(f"{name} must be a number from 0 to {MOST_LEVELS}, or as many heights")

@@ -14,7 +14,7 @@ import numpy as np
 from surfaces import checks, frame
 from surfaces.arrays import Box, Doubles, keep_freed_memory, middle
 from surfaces.frame import Frame, draw_bar, write_title
-from surfaces.shape.sampling import Interval, real
+from surfaces.shape.sampling import HUGE, Interval, real
 from surfaces.space.fitting import fit
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.projections import projection
@@ -233,6 +233,6 @@ class Stage:
 
 def _checked(transform: Doubles) -> Doubles:
     T = real(transform, "transform")
-    if T.shape != (4, 4) or not np.isfinite(T).all():
-        raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r}")
+    if T.shape != (4, 4) or not (np.abs(T) <= HUGE).all():
+        raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r:.60}")
     return T

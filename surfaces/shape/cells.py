@@ -26,4 +26,4 @@ def all_corners(there: Bools) -> Bools:
 
 def every_nth(count: int, n: int) -> Ints:
     """Every n-th of the numbers below `count`, beginning with 0, and always the last."""
-    return np.unique(np.append(np.arange(0, count, n), count - 1))
+    return np.unique(np.append(np.arange(0, count, min(n, count)), count - 1))

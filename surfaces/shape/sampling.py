@@ -96,6 +96,9 @@ def real(values: Any, name: str = "f") -> Doubles:
         table = np.ma.asarray(values) if may_be_masked else np.asarray(values)
     except ValueError:
         raise ValueError(f"{name} must have rows of one length, all of numbers") from None
+    if table.dtype.kind == "M":
+        counted = f"({name} - {name}[0]) / np.timedelta64(1, 'h')"
+        raise TypeError(f"{name} must be numbers, not dates: count them, as in {counted}")
     if table.dtype.kind not in "biufO":
         raise TypeError(f"{name} must be real numbers, not {table.dtype}")
     try:

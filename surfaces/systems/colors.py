@@ -13,6 +13,7 @@ they make greys.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,16 @@ UPPER, UNDER = np.arange(16, 176), np.arange(176, 256)
 BAYER = (np.array(((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))) + 0.5) / 16
 
 
+def _within(given: Any, dimensions: int, most: int) -> bool:
+    """Whether these are numbers from 0 to `most`, in a table of one dimension or two."""
+    try:
+        table = np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError):  # no numbers, or rows of different lengths
+        return False
+    inside = (table >= 0) & (table <= most)
+    return table.ndim == dimensions and table.size > 0 and bool(inside.all())
+
+
 @dataclass(frozen=True)
 class Ramp:
     """Colours from the least value to the greatest."""
@@ -52,6 +63,12 @@ class Ramp:
     """Colours at even steps, in red, green and blue, 0 to 255; between them the ramp is mixed."""
     sixteen: tuple[int, ...]
     """The colours of graphics.h that come near it."""
+
+    def __post_init__(self) -> None:
+        if not _within(self.rgb, 2, 255) or np.shape(self.rgb)[1] != 3:
+            raise ValueError(f"rgb must be colours of three numbers 0 to 255, not {self.rgb!r:.60}")
+        if not _within(self.sixteen, 1, 15):
+            raise ValueError(f"sixteen must be colours 0 to 15, not {self.sixteen!r:.60}")
 
     def mix(self, n: int) -> Ints:
         """n colours from one end to the other, (n, 3)."""

@@ -13,6 +13,25 @@ ALL = [2, 4, 16, 256]
 NOWHERE = np.zeros(1, dtype=np.int64)
 
 
+@pytest.mark.parametrize(
+    ("rgb", "sixteen", "message"),
+    [
+        ((), (1,), "rgb must be colours of three numbers 0 to 255"),
+        ("ab", (1,), "rgb must"),
+        (((0, 0), (1, 1)), (1,), "rgb must"),
+        (((0, 0, 256),), (1,), "rgb must"),
+        ((3, 4), (1,), "rgb must"),
+        (((0, 0, 0),), (), "sixteen must be colours 0 to 15"),
+        (((0, 0, 0),), (16,), "sixteen must"),
+        (((0, 0, 0),), "red", "sixteen must"),
+    ],
+)
+def test_a_ramp_that_cannot_be_mixed(rgb: Any, sixteen: Any, message: str) -> None:
+    """It was found when the box already stood on the screen."""
+    with pytest.raises(ValueError, match=message):
+        Ramp(rgb, sixteen)
+
+
 def test_the_ramp_goes_through_its_five_colors() -> None:
     blue, cyan, green, yellow, red = RAMPS["rainbow"].mix(5).tolist()
     assert (blue, cyan, green) == ([0, 0, 255], [0, 255, 255], [0, 255, 0])

@@ -221,7 +221,7 @@ def test_a_list_of_arrays_is_several_surfaces() -> None:
 def test_dates_are_not_mistaken_for_numbers() -> None:
     """They would have been days, seconds or nanoseconds, whatever numpy counts them in."""
     days = np.arange("2024-03-01", "2024-03-07", dtype="datetime64[D]")
-    with pytest.raises(TypeError, match="x must be real numbers, not datetime64"):
+    with pytest.raises(TypeError, match="x must be numbers, not dates: count them, as in"):
         surface(HEIGHTS, days, Y, on=Canvas(60, 40))
 
 

@@ -37,6 +37,7 @@ def of_saddle(**how: Any) -> Any:
         ({"n": 20.0}, {"n": 20}),
         ({"n": np.uint8(20)}, {"n": 20}),
         ({"every": 2.0, "mode": "mesh"}, {"every": 2, "mode": "mesh"}),
+        ({"every": 10**30, "mode": "mesh"}, {"every": 8, "mode": "mesh"}),
         ({"lines": [3, 4], "mode": "mesh"}, {"lines": (3, 4), "mode": "mesh"}),
         ({"lines": np.int64(3), "mode": "mesh"}, {"lines": 3, "mode": "mesh"}),
         ({"axes": 1}, {"axes": True}),
@@ -81,10 +82,22 @@ class Stranger:
         return "Stranger()"
 
 
+LEVELS = [
+    *(-1, 2.5, "many", None, 1j, Stranger(), 10**9, range(10**9)),
+    *(["high"], [[1]], [float("inf")], [float("nan")]),
+]
 WRONG: dict[str, list[Any]] = {
     "n": [0, -1, 2.5, "20", (3,), (3, 4, 5), (3, 0), None, Stranger(), float("nan"), 10**5],
     "mode": ["none", "", 3, None, ["fill"], Stranger()],
-    "transform": ["turn", 3, np.eye(3), np.full((4, 4), np.nan), Stranger(), [[1], [2, 3]]],
+    "transform": [
+        "turn",
+        3,
+        np.eye(3),
+        np.full((4, 4), np.nan),
+        1e200 * np.eye(4),
+        Stranger(),
+        [[1], [2, 3]],
+    ],
     "mapping": ["paper", 3, Stranger()],
     "projection": ["none", 3, ["paper"], Stranger()],
     "theta": ["a", None, 0, 2, float("nan"), [1], Stranger(), 1j],
@@ -97,8 +110,8 @@ WRONG: dict[str, list[Any]] = {
     "dither": ["no", 2, None, [True], 0.5, Stranger()],
     "lines": ["red", 2.5, (1,), (1, 2, 3), (1, "red"), Stranger()],
     "every": [0, -1, 2.5, "2", (1, 2), Stranger(), float("inf")],
-    "contours": [-1, 2.5, "many", None, ["high"], [[1]], 10**9, range(10**9), 1j, Stranger()],
-    "floor": [-1, 2.5, "many", None, ["high"], [[1]], 10**9, range(10**9), 1j, Stranger()],
+    "contours": LEVELS,
+    "floor": LEVELS,
     "box": ["no", 2, None, np.ones(2), Stranger()],
     "axes": [2, None, ("x", "y"), (1, 2, 3), "xy", "", Stranger(), np.ones((3, 3))],
     "title": [5, None, b"title", ["a"], Stranger()],
