@@ -25,7 +25,7 @@ class pointtype(NamedTuple):
 
 @dataclass(slots=True)
 class linesettingstype:
-    """What getlinesettings() returns: style 0..4, the sixteen bits given, thickness 0..3."""
+    """What getlinesettings() returns: style 0..4, the sixteen bits given, and thickness."""
 
     linestyle: int = SOLID_LINE
     upattern: int = 0

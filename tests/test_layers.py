@@ -17,6 +17,7 @@ LAYERS = [
     "bgi.kernel.arguments",
     "bgi.kernel.modes",
     "bgi.raster.lines",
+    "bgi.raster.brush",
     "bgi.raster.patterns",
     "bgi.raster.ellipses",
     "bgi.raster.polygons",

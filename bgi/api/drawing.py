@@ -119,7 +119,8 @@ def setlinestyle(style: Number, pattern: Number, width: Number) -> None:
     Args:
         style: SOLID_LINE, DOTTED_LINE, CENTER_LINE, DASHED_LINE or USERBIT_LINE.
         pattern: sixteen bits for USERBIT_LINE, the lowest drawn first; 1 draws, 0 leaves a gap.
-        width: NORM_WIDTH (1) or THICK_WIDTH (3); 0 and 2 are drawn like 1.
+        width: NORM_WIDTH (1) or THICK_WIDTH (3); 0 and 2 are drawn like 1. In a window of
+            initwindow() up to 4096: more than 3 is drawn without gaps, by a round brush.
 
     graphresult() says -11, and nothing changes, for any other style or width. (On CGA and Hercules
     the highest bit is drawn first, and lines run to the right, not downwards.)

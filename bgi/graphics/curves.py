@@ -6,7 +6,7 @@ from bgi.constants import grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, whole
 from bgi.kernel.state import KERNEL
-from bgi.raster import ellipses, lines, polygons
+from bgi.raster import ellipses, polygons
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import arccoordstype
 
@@ -129,7 +129,7 @@ class Curves(Pen):
         color = self._ink
         corners = [(x + dx, y + dy) for dx, dy in ellipses.thick_points(start, end, rx, ry)]
         for side in polygons.edges(polygons.paths(corners)):
-            for strand in lines.strands(*side):
+            for strand in self._strands(*side):
                 if self._xor:
                     self.page.styled_line(strand, color, SOLID_MASK, True)
                 else:

@@ -19,6 +19,7 @@ from bgi.kernel.arguments import (
     whole,
 )
 from bgi.kernel.state import KERNEL
+from bgi.memory.card import MAX_SIDE
 from bgi.raster import polygons, spans
 from bgi.settings import linesettingstype
 
@@ -32,7 +33,8 @@ class Drawing(Pen):
         """Set line style, user pattern and width; -11 and no change if either is unknown."""
         number, bits = whole("style", style), whole("pattern", pattern) & 0xFFFF
         thickness = whole("width", width)
-        if SOLID_LINE <= number <= USERBIT_LINE and 0 <= thickness <= THICK_WIDTH:
+        widest = MAX_SIDE if self.mode.square else THICK_WIDTH
+        if SOLID_LINE <= number <= USERBIT_LINE and 0 <= thickness <= widest:
             self.settings.line = linesettingstype(number, bits, thickness)
             self._use_line_settings()
         else:

@@ -158,7 +158,8 @@ class Filling(Pen):
             return
         fills = self._colors("fill", fill, settings.fill.color, len(corners))
         colors = self._colors("color", color, settings.color, len(corners))
-        if self._xor:  # the next fill must cover a side before the next side meets it
+        # In XOR mode the next fill must cover a side before the next side meets it.
+        if self._xor or self._wide:
             for one, shade, ink in zip(corners.tolist(), fills, colors, strict=True):
                 self._fill_polygon(self._shifted(one), int(shade), int(ink))
         else:

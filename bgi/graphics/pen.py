@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from bgi.graphics.screen import State
 from bgi.kernel.arguments import Numbers, broadcast, is_array, whole, whole_array
-from bgi.raster import lines, polygons, spans
+from bgi.raster import brush, lines, polygons, spans
 from bgi.raster.lines import Segment, Segments
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Path, Point
@@ -59,11 +59,17 @@ class Pen(State):
         if self._plain:
             self.page.line(x1, y1, x2, y2, color)
             return
-        for strand in lines.strands(x1, y1, x2, y2) if self._thick else [(x1, y1, x2, y2)]:
+        for strand in self._strands(x1, y1, x2, y2):
             if self._solid:
                 self.page.line(*strand, color)
             else:
                 self.page.styled_line(strand, color, self._pattern, self._xor)
+
+    def _strands(self, x1: int, y1: int, x2: int, y2: int) -> list[Segment]:
+        """The thin lines that make one in the line width."""
+        if self._wide:
+            return brush.rows(x1, y1, x2, y2, self.settings.line.thickness, self.page.box)
+        return lines.strands(x1, y1, x2, y2) if self._thick else [(x1, y1, x2, y2)]
 
     def _box(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
         """The outline of a box between absolute corners, in any order: four lines."""
@@ -86,6 +92,10 @@ class Pen(State):
 
     def _segments(self, segments: Segments, colors: NDArray[Any]) -> None:
         """Many lines between absolute points, each in its colour."""
+        if self._wide:
+            for x1, y1, x2, y2, color in np.stack((*segments, colors), axis=-1).tolist():
+                self._segment(x1, y1, x2, y2, color)
+            return
         if self._thick:
             segments, colors = lines.strands_many(segments), np.repeat(colors, 3)
         self.page.line_many(segments, colors, self._pattern, self._xor)

@@ -95,8 +95,11 @@ class State:
         line = self.settings.line
         user = line.linestyle == USERBIT_LINE
         bits = line.upattern if user else LINE_PATTERNS[line.linestyle]
+        self._wide = line.thickness > THICK_WIDTH
+        if self._wide:  # a brush draws no gaps
+            bits = LINE_PATTERNS[SOLID_LINE]
         self._pattern = line_mask(highest_first(bits) if self._packed else bits)
-        self._thick = line.thickness == THICK_WIDTH
+        self._thick = line.thickness >= THICK_WIDTH
         self._xor = bool(self.settings.writemode)
         self._solid = bits == LINE_PATTERNS[SOLID_LINE] and not self._xor
         self._plain = self._solid and not self._thick
