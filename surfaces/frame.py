@@ -95,9 +95,12 @@ class Frame:
                         ends.append(stop)
         self._lines(starts, ends, GRID_COLOR)
 
-    def axes(self, names: Sequence[str]) -> None:
-        """Ticks, numbers and the three names, each axis at an edge of the outline."""
-        taken: list[Area] = []
+    def axes(self, names: Sequence[str], taken: Sequence[Area] = ()) -> None:
+        """Ticks, numbers and the three names, each axis at an edge of the outline.
+
+        Nothing is written where it would touch what is `taken`, or one another.
+        """
+        taken = list(taken)
         for axis, name in enumerate(names):
             outline = [(start, stop) for start, stop, n in self._edges(axis) if n == 1]
             # Of the two, the lower one on the screen; for z the left one.
@@ -131,12 +134,13 @@ class Frame:
             if area and not any(_touch(area, other) for other in taken)  # where two axes meet
         ]
         taken += [area for area, _ in written]
-        widest = max(map(len, texts), default=0)
-        name = f"{name} ({note})".strip() if note else name
-        place = self._free(self._beside(ends, outward, widest), name, taken)
-        if place:
-            self._write(place, name)
-            taken.append(place)
+        spots = list(self._beside(ends, outward, max(map(len, texts), default=0)))
+        for text in (f"{name} ({note})".strip(), f"({note})") if note else (name,):
+            place = self._free(spots, text, taken)
+            if place:
+                written.append((place, text))
+                taken.append(place)
+                break
         if place or not note:  # without their note numbers would be wrong
             for area, text in written:
                 self._write(area, text)
@@ -174,19 +178,26 @@ class Frame:
         """Where the name of an axis may stand, the best first, and which way from there."""
         character = self.pen.character
         clear = character * (1.4 + abs(outward[0]) * widest + abs(outward[1]))
-        yield ends.mean(axis=0) + clear * outward, outward
+        for part in (1 / 2, 1 / 4, 3 / 4, 0, 1):
+            yield ends[0] + part * (ends[1] - ends[0]) + clear * outward, outward
         onward = (ends[1] - ends[0]) / np.hypot(*(ends[1] - ends[0]))
         yield ends[1] + 1.4 * character * onward, onward
         yield ends[0] - 1.4 * character * onward, -onward
 
     def _free(
-        self, places: Iterable[tuple[Doubles, Doubles]], text: str, taken: list[Area]
+        self, spots: Iterable[tuple[Doubles, Doubles]], text: str, taken: list[Area]
     ) -> Area | None:
-        """The first of some places that is free, else the first on the screen, else None."""
-        areas = [self._place(at, away, text) for at, away in places]
-        there = [area for area in areas if area]
-        free = (area for area in there if not any(_touch(area, other) for other in taken))
-        return next(free, there[0] if there else None)
+        """The area of a text at the first of some spots where it touches nothing.
+
+        Better is one where the edge of the screen does not push it back over the axis.
+        """
+        free: list[tuple[bool, Area]] = []
+        for at, away in spots:
+            area = self._place(at, away, text)
+            if area and not any(_touch(area, other) for other in taken):
+                pushed = ((area[0] + area[1]) / 2 - at) @ away <= 0
+                free.append((bool(pushed), area))
+        return min(free, key=lambda one: one[0])[1] if free else None
 
     def _write(self, area: Area, text: str) -> None:
         (left, top), _ = area
@@ -214,6 +225,14 @@ def write_title(pen: Pen, title: str) -> None:
     """A line of text in the middle of the top."""
     left = (pen.width - pen.character * len(title)) / 2
     pen.text(max(0.0, left), pen.character, title, pen.ink(TEXT_COLOR))
+
+
+def area_of_bar(pen: Pen) -> Area:
+    """What `draw_bar` takes of the screen, with its numbers and the note above them."""
+    character = pen.character
+    left = pen.width - character * (BAR_AND_NUMBERS - 1)  # a text stays one character away
+    top, bottom = pen.height // 5 - 4 * character, pen.height - pen.height // 5 + character
+    return np.array((left, top)), np.array((pen.width, bottom))
 
 
 def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:

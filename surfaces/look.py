@@ -223,7 +223,7 @@ class Stage:
         if look.box:
             self.frame.front()
         if look.names:
-            self.frame.axes(look.names)
+            self.frame.axes(look.names, [frame.area_of_bar(pen)] if look.colorbar else [])
         if look.title:
             write_title(pen, look.title)
         if look.colorbar:

@@ -151,6 +151,19 @@ def test_what_belongs_to_all_numbers_is_written_once() -> None:
     assert "y" in found
 
 
+@pytest.mark.parametrize("view", ["paper", "isometric", "dimetric", "military"])
+def test_long_names_find_a_place(view: str) -> None:
+    names = ("Easting in metres", "Northing in metres", "Height above sea")
+    page = Writer(640, 480)
+    for domain in ((0, 1), (1e6, 1e6 + 6)):
+        page.texts.clear()
+        how: dict[str, Any] = {"axes": names, "colorbar": True, "projection": view, "on": page}
+        surface(lambda x, y: x * y, domain, domain, n=4, mode="wire", **how)
+        ends = [x + 8 * len(text) for x, _, text in page.texts if text.startswith(names)]
+        assert len(ends) == 3
+        assert max(ends) <= 640 - 9 * 8  # where the bar of colours begins
+
+
 def test_a_page_of_text_has_notes_too() -> None:
     page = Text(78, 40)
     surface(lambda x, y: x + 0 * y, (1e6, 1e6 + 6), (0, 1), n=4, mode="wire", axes=True, on=page)
