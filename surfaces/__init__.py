@@ -26,7 +26,8 @@ from surfaces.shape.fields import FIELDS
 from surfaces.shape.figures import FIGURES, Figure
 from surfaces.shape.grid import Grid, data, sample
 from surfaces.space.mapping import Axonometry, Mapping, Projection
-from surfaces.space.projections import PROJECTIONS, orthographic
+from surfaces.space.perspective import Perspective
+from surfaces.space.projections import PROJECTIONS, orthographic, perspective
 from surfaces.space.transforms import (
     affine,
     apply,
@@ -51,7 +52,7 @@ __all__ = [
     # How: the names that `mode`, `color`, `ramp` and `projection` take
     "MODES", "FIELDS", "RAMPS", "PROJECTIONS", "Ramp",
     # From space to the screen
-    "Projection", "Mapping", "Axonometry", "orthographic",
+    "Projection", "Mapping", "Axonometry", "orthographic", "Perspective", "perspective",
     # Moving and turning in space
     "translation", "scaling", "rotation", "affine", "compose", "power", "powers", "apply",
     # What to draw on, besides the screen of the BGI

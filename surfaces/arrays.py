@@ -1,6 +1,7 @@
 """The types of arrays, named for what is in them; and the memory that they take."""
 
 from functools import cache
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,11 @@ def middle(box: Box) -> Doubles:
     """The centre of a box, (3,)."""
     low, high = box
     return low / 2 + high / 2
+
+
+def corners(box: Box) -> Doubles:
+    """The eight corners of a box, (8, 3)."""
+    return np.array(list(product(*np.transpose(box))))
 
 
 BELOW_LIMIT = 31 << 20

@@ -52,7 +52,15 @@ class Frame:
     @property
     def far(self) -> Doubles:
         """The corner farthest from the eye: for each axis the end that the eye is not at."""
-        return np.where(self.view.eye > 0, self.low, self.high)
+        middle = 0 if self.view.parallel else (self.low + self.high) / 2 - self.origin
+        return np.where(self.view.eye > middle, self.low, self.high)
+
+    def _away(self, axis: int, end: float) -> bool:
+        """Whether we see the face at one end of an axis from inside the box, or on its edge."""
+        if self.view.parallel or end == self.far[axis]:
+            return bool(end == self.far[axis])
+        beyond = self.view.eye[axis] + self.origin[axis] - end
+        return bool(beyond * (end - self.far[axis]) <= 0)  # near by, the eye may be between both
 
     def _edges(self, axis: int) -> list[tuple[Doubles, Doubles, int]]:
         """The four edges along an axis: both ends, (3,), and to how many far faces each belongs."""
@@ -64,11 +72,11 @@ class Frame:
                 start[other] = end[other]
             stop = start.copy()
             stop[axis] = self.high[axis]
-            found.append((start, stop, int((start == self.far)[others].sum())))
+            found.append((start, stop, sum(self._away(other, start[other]) for other in others)))
         return found
 
     def _lines(self, starts: list[Doubles], ends: list[Doubles], color: int) -> None:
-        a, b = (self._on_screen(points) for points in (starts, ends))
+        a, b = (self._on_screen(np.reshape(points, (-1, 3))) for points in (starts, ends))
         self.pen.lines(a, b, self.pen.ink(color))
 
     def back(self) -> None:
@@ -161,7 +169,7 @@ class Frame:
             values = ticks(low, high, about)
             texts, note = labels(values)
             parts = (np.array(values) - low) / ((high - low) or 1.0)
-            feet = ends[0] + parts[:, None] * along
+            feet = self._on_screen(edge[0] + parts[:, None] * (edge[1] - edge[0]))
             tips = feet + TICK * character * outward
             places = [
                 self._place(tip, outward, text) for tip, text in zip(tips, texts, strict=True)

@@ -12,13 +12,14 @@ from typing import Any
 import numpy as np
 
 from surfaces import checks, frame
-from surfaces.arrays import Box, Doubles, keep_freed_memory, middle
+from surfaces.arrays import Box, Doubles, corners, keep_freed_memory, middle
 from surfaces.frame import Frame, draw_bar, write_title
 from surfaces.shape.sampling import HUGE, Interval, real
 from surfaces.space.fitting import fit
 from surfaces.space.mapping import Mapping, Projection
+from surfaces.space.perspective import check_in_front
 from surfaces.space.projections import projection
-from surfaces.space.transforms import Point, compose, translation
+from surfaces.space.transforms import Point, affine, compose, translation
 from surfaces.space.view import View
 from surfaces.systems.colors import Ramp, palette
 from surfaces.systems.pen import BLACK, Pen, System
@@ -111,11 +112,13 @@ class Look:
         pen = Pen(self.on)
         fitted, mapping = self._fitted(pen, box, mapping, turning=transform is not None)
         T = fitted if transform is None else compose(fitted, _checked(transform))
+        view = View.of(T, mapping)
+        check_in_front(corners(box) - middle(box), view.screen)
         ink, under_ink = self._inks(BLACK if mode in FILLED else pen.color)
         easel = Easel(
             pen=pen,
             palette=palette(pen.colors, self.ramp, self.under, self.dither),
-            view=View.of(T, mapping),
+            view=view,
             ink=ink,
             under_ink=under_ink,
             every=self.every or max(1, round(max(nodes) / MESH_LINES)),
@@ -235,4 +238,4 @@ def _checked(transform: Doubles) -> Doubles:
     T = real(transform, "transform")
     if T.shape != (4, 4) or not (np.abs(T) <= HUGE).all():
         raise ValueError(f"transform must be a 4x4 matrix of finite numbers, not {transform!r:.60}")
-    return T
+    return affine(T[:3, :3], T[3, :3])  # the last column of an inverse may not be exactly 0 0 0 1

@@ -17,10 +17,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from surfaces.arrays import Bools, Doubles
-from surfaces.shape.contours import contours
+from surfaces.arrays import Bools, Doubles, Ints
+from surfaces.shape.contours import CORNERS, contours
 from surfaces.shape.grid import Grid
 from surfaces.space.transforms import apply
+from surfaces.space.view import View
 from surfaces.visible import horizon, painter
 from surfaces.visible.horizon import Segments
 from surfaces.visible.order import back_to_front
@@ -41,6 +42,7 @@ def draw(picture: HeightPicture, mode: str) -> None:
 class Row(NamedTuple):
     """One line of constant x, as the screen sees it."""
 
+    x: float
     nodes: Doubles
     """(ny+1, 2)"""
     joined: Bools
@@ -53,10 +55,19 @@ def _waterfall(picture: HeightPicture) -> None:
     """Strip by strip toward the eye: each covers what is behind it, and shows its far line."""
     easel = picture.easel
     for grid in picture.grids:
-        rows = list(_rows(grid, easel))
-        for far, near in pairwise([*rows, rows[-1]]):
-            _cover(easel, far, near)
-            _draw_row(easel, far)
+        for rows in _toward_eye(list(_rows(grid, easel)), easel.view):
+            for far, near in pairwise([*rows, rows[-1]]):
+                _cover(easel, far, near)
+                _draw_row(easel, far)
+
+
+def _toward_eye(rows: list[Row], view: View) -> list[list[Row]]:
+    """The lines as they are, or, with an eye near by above them, from both sides and the middle."""
+    before = [row for row in rows if (row.x < view.eye[0]) == (rows[0].x < view.eye[0])]
+    beyond = rows[len(before) :]
+    if view.parallel or not beyond:
+        return [rows]
+    return [before, beyond[::-1], [before[-1], beyond[0]]]
 
 
 def _rows(grid: Grid, easel: Easel) -> Iterator[Row]:
@@ -69,7 +80,7 @@ def _rows(grid: Grid, easel: Easel) -> Iterator[Row]:
     nodes = back_to_front(apply(grid.points[i], view.screen)[..., :2], view.eye)
     joined = back_to_front(grid.joined[1][i], view.eye)
     for k in range(len(x)):
-        yield Row(nodes[k], joined[k], loose[of_x & (pieces[:, 0, 0] == x[k])])
+        yield Row(float(x[k]), nodes[k], joined[k], loose[of_x & (pieces[:, 0, 0] == x[k])])
 
 
 def _cover(easel: Easel, far: Row, near: Row) -> None:
@@ -148,12 +159,26 @@ def draw_contours(picture: HeightPicture, levels: list[float]) -> None:
         for level in levels:
             lines = contours(grid, level)
             starts, ends = (apply(p, easel.view.screen)[:, :2] for p in (lines.starts, lines.ends))
-            if picture.swept:
+            middles = (lines.starts + lines.ends) / 2
+            if not easel.view.parallel:
+                shown = ~picture.depths.hides(
+                    middles, _nearest_of_cells(grid, lines.cell, easel.view)
+                )
+                easel.pen.lines(starts[shown], ends[shown], easel.ink)
+            elif picture.swept:
                 owner = picture.sweeps[0].nearer_line(lines.cell)
                 _draw_segments(picture, Segments(starts, ends, owner))
             else:
-                shown = seen(picture.sweeps, (lines.starts + lines.ends) / 2)
+                shown = seen(picture.sweeps, middles)
                 easel.pen.lines(starts[shown], ends[shown], easel.ink)
+
+
+def _nearest_of_cells(grid: Grid, cells: Ints, view: View) -> Doubles:
+    """How near the nearest corner of each of some cells (m, 2) is, and a cell's depth more."""
+    i, j = cells.T
+    corners = view.nearness(np.stack([grid.points[i + a, j + b] for a, b in CORNERS]))
+    nearest: Doubles = 2 * corners.max(axis=0) - corners.min(axis=0)
+    return nearest
 
 
 def draw_floor(picture: HeightPicture, levels: list[float], floor: float) -> None:

@@ -73,8 +73,7 @@ class Plot:
 
     def depth(self, points: ArrayLike) -> Doubles:
         """How near points (..., 3) are: of two on one pixel, the greater number is the nearer."""
-        near: Doubles = self._around(points) @ self.picture.view.eye
-        return near
+        return self.picture.view.nearness(self._around(points))
 
     def _around(self, points: ArrayLike) -> Doubles:
         """Points as the picture counts them, from the middle of the box."""

@@ -74,6 +74,7 @@ LAYERS = [
     "surfaces.animation",
     "surfaces.space.transforms",
     "surfaces.space.mapping",
+    "surfaces.space.perspective",
     "surfaces.space.projections",
     "surfaces.space.fitting",
     "surfaces.space.view",

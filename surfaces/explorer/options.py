@@ -1,6 +1,6 @@
 """How a surface is to be looked at: what the options of the command say and the keys change."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import radians
 
 from surfaces.arrays import Doubles
@@ -9,6 +9,7 @@ from surfaces.plot import Plot, surface
 from surfaces.shape.grid import Grid, sample
 from surfaces.shape.sampling import Interval
 from surfaces.space.mapping import Mapping, Projection
+from surfaces.space.perspective import Perspective
 from surfaces.space.projections import projection
 from surfaces.space.transforms import Point, compose, rotation, scaling
 from surfaces.systems.pen import System
@@ -83,18 +84,25 @@ class Options:
         """The view, with the angle and the compression if it is the paper's."""
         if self.view == "paper":
             return Mapping(radians(self.theta), self.rho_z)
-        return projection(self.view)
+        view = projection(self.view)
+        if isinstance(view, Perspective):  # enlarged, it must not come nearer to the eye
+            return replace(view, distance=view.distance * max(1.0, self.size))
+        return view
+
+    @property
+    def size(self) -> float:
+        """How many times as large the picture is."""
+        return float(LARGER**self.zoom)
 
     @property
     def transform(self) -> Doubles | None:
         """The turn, the tilt and the zoom in one; None if it never turns."""
         if not (self.turns or self.turn or self.tilt or self.zoom):
             return None
-        size = LARGER**self.zoom
         return compose(
             rotation("z", radians(self.turn)),
             rotation(level(self.projection), radians(self.tilt)),
-            scaling(size, size, size),
+            scaling(self.size, self.size, self.size),
         )
 
     def sample(self, text: str) -> Grid:

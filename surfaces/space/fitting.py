@@ -75,18 +75,21 @@ def fit(
         level = high * (1 - zfrac) if ez[1] > FLAT else high
         unit = min(_ratio(wide, base[0]), _ratio(level, base[1]))
         size = np.array((2, 2, high * zfrac / unit))
-    whole = size @ np.array((ex, ey, ez))
+    left_top, right_bottom = view.bounds(size)
+    whole = right_bottom - left_top
     unit = min(unit, _ratio(wide, whole[0]), _ratio(high, whole[1]))
     if turning:
         # The ball around the box, as seen; a corner comes near the screen's edge only in passing.
-        ball = float(np.linalg.norm(size)) * np.linalg.norm(view.M32, axis=0)
+        ball = view.ball(float(np.linalg.norm(size)))
         unit *= min(1.0, across / (unit * ball[0]), down / (unit * ball[1]))
     normal = compose(
         translation(*-(lowest / 2 + highest / 2)),
         scaling(*size / extent),
     )
-    centre = (left + (width - 1 - right)) / 2, (top + (height - 1 - bottom)) / 2
-    return normal, view.placed(centre, unit, aspect)
+    # Near by, the middle of the box is not the middle of its picture; turned, it is best there.
+    aside = np.zeros(2) if turning else (left_top + right_bottom) / 2 * unit * (1, aspect)
+    x, y = (left + (width - 1 - right)) / 2 - aside[0], (top + (height - 1 - bottom)) / 2 - aside[1]
+    return normal, view.placed((float(x), float(y)), unit, aspect)
 
 
 def _ratio(space: float, size: float) -> float:

@@ -33,7 +33,10 @@ Arrow = tuple[float, float]
 
 
 class Projection(ABC):
-    """A parallel projection: three arrows, an origin and scales, and all that follows from them."""
+    """A parallel projection: three arrows, an origin and scales, and all that follows from them.
+
+    `Perspective` adds an eye near by to it.
+    """
 
     origin: Arrow
     """The pixel (x0, y0) where (0, 0, 0) appears."""
@@ -104,6 +107,19 @@ class Projection(ABC):
         right, down = self.M32.T
         eye: Doubles = np.cross(down, right)
         return eye
+
+    def bounds(self, size: Doubles) -> tuple[Doubles, Doubles]:
+        """The place of a box of this size around (0, 0, 0): its upper left and lower right corner.
+
+        The box's sizes are (3,), the corners on the screen (2,), from the origin on.
+        """
+        half: Doubles = size @ np.abs(self.M32) / 2
+        return -half, half
+
+    def ball(self, diameter: float) -> Doubles:
+        """(2,): how wide and how high a ball of this diameter appears."""
+        across: Doubles = diameter * np.linalg.norm(self.M32, axis=0)
+        return across
 
     def project(self, points: ArrayLike) -> Doubles:
         """Map points (x, y, z), shape (..., 3), to triples (x', y', z) of the same shape: (1), (4).

@@ -9,10 +9,11 @@
     top            as on a map: x right, y up, z toward the viewer          1 : 1 : 0
     front          from a little above: x right, y away                     1 : 1/4 : 0.97
     side           the same from the right: y right, x toward the viewer    1/4 : 1 : 0.97
+    perspective    from near by: what is farther away is smaller            it depends
 
 The first three are oblique: the lines of sight meet the paper aslant, so one face of a cube keeps
 its shape, and a turning body seems to breathe. The others are orthographic, as a camera far away
-sees it; `orthographic` gives all of these.
+sees it; `orthographic` gives all of these, and `perspective` what a camera near by sees.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from __future__ import annotations
 from math import asin, atan, cos, pi, sin, sqrt
 
 from surfaces.space.mapping import Axonometry, Mapping, Projection
+from surfaces.space.perspective import Perspective
 
 
 def orthographic(azimuth: float, elevation: float) -> Axonometry:
@@ -40,6 +42,25 @@ def orthographic(azimuth: float, elevation: float) -> Axonometry:
 
 HALF = sqrt(0.5)
 
+
+def perspective(
+    distance: float = 4.0, azimuth: float = pi / 4, elevation: float = 0.6
+) -> Perspective:
+    """The view of an eye near by, straight at the middle of the surface.
+
+    Args:
+        distance: How far the eye is from the middle, in the box that surfaces are fitted into: x
+            and y are 2 wide there. Nearer shows more perspective; a large distance, almost none.
+        azimuth: How far the eye is turned from the x axis toward y, in radians.
+        elevation: How high it is above the floor, in radians; below zero it looks from below.
+
+    Raises:
+        ValueError: for a distance that is not above zero, or an elevation as in `orthographic`.
+    """
+    far = orthographic(azimuth, elevation)
+    return Perspective(far.x, far.y, far.z, distance=distance)
+
+
 PROJECTIONS: dict[str, Projection] = {
     "paper": Mapping(),
     "cabinet": Axonometry(x=(-HALF / 2, HALF / 2), y=(1.0, 0.0), z=(0.0, -1.0)),
@@ -50,6 +71,7 @@ PROJECTIONS: dict[str, Projection] = {
     "top": orthographic(-pi / 2, pi / 2),
     "front": orthographic(-pi / 2, asin(1 / 4)),
     "side": orthographic(0.0, asin(1 / 4)),
+    "perspective": perspective(),
 }
 
 

@@ -102,8 +102,15 @@ def powers(T: Doubles) -> Iterator[Doubles]:
 
 
 def apply(points: ArrayLike, T: Doubles) -> Doubles:
-    """Transform points of shape (..., 3), or screen triples by a screen matrix; floats return."""
-    return np.asarray(points, dtype=np.float64) @ T[:3, :3] + T[3, :3]
+    """Transform points of shape (..., 3), or screen triples by a screen matrix; floats return.
+
+    A perspective ends with a fourth coordinate w other than 1, and is divided by it.
+    """
+    before = np.asarray(points, dtype=np.float64)
+    after: Doubles = before @ T[:3, :3] + T[3, :3]
+    if T[:3, 3].any():
+        after /= (before @ T[:3, 3] + T[3, 3])[..., np.newaxis]
+    return after
 
 
 def _keeping(linear: Doubles, fixed: Point) -> Doubles:

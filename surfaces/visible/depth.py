@@ -10,8 +10,10 @@ running evenly, and each pixel keeps the nearest it was offered.
 import numpy as np
 
 from surfaces.arrays import Bools, Doubles, Ints
+from surfaces.space.transforms import apply
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import Pen
+from surfaces.visible.order import Cells
 
 CHUNK = 2048
 """Cells at a time: the arrays that are made of them stay in the cache."""
@@ -23,12 +25,23 @@ maximum finds the nearest and its colour."""
 class DepthBuffer:
     """The nearest colour for every pixel of the screen."""
 
-    def __init__(self, pen: Pen, palette: Palette) -> None:
-        self._pen, self._palette = pen, palette
+    def __init__(self, pen: Pen, palette: Palette, cells: Cells) -> None:
+        """Offer cells, one at least, to the pixels that they cover."""
+        self._pen, self._palette, self._view = pen, palette, cells.view
         self._nearest = np.full(pen.width * pen.height, -1, dtype=np.int64)
+        near = self._view.nearness(cells.nodes)[cells.corners]
+        # A perspective divides by depths: there, zero is what is infinitely far away.
+        self._farthest = float(near.min()) if self._view.parallel else 0.0
+        self._range = float(near.max()) - self._farthest or 1.0
+        screen = cells.screen
+        self._add(screen, self._depth(near), cells.values[cells.corners], cells.under(screen))
 
-    def add(self, screen: Doubles, depth: Doubles, value: Doubles, under: Bools) -> None:
-        """Offer cells to the pixels they cover.
+    def _depth(self, near: Doubles) -> Doubles:
+        """How near points are, from 0 to 1."""
+        return (near - self._farthest) / self._range
+
+    def _add(self, screen: Doubles, depth: Doubles, value: Doubles, under: Bools) -> None:
+        """Offer cells.
 
         Args:
             screen: (m, 4, 2): their corners on the screen.
@@ -36,6 +49,8 @@ class DepthBuffer:
             value: (m, 4): what the colour shows there, 0 to 1.
             under: (m,): whether the under side is seen.
         """
+        if not self._view.parallel:
+            value = value * depth
         for start in range(0, len(screen), CHUNK):
             part = slice(start, start + CHUNK)
             corners = np.concatenate(
@@ -64,6 +79,8 @@ class DepthBuffer:
             start.take(owner) + to_right.take(owner) * x + below.take(owner) * y
             for start, to_right, below in zip(at_origin, right, down, strict=True)
         )
+        if not self._view.parallel:  # on the screen value/w and 1/w run evenly (Blinn, 1992)
+            value = value / depth
         shade = self._palette.shade(value, x, y, under[seen].take(owner))
         key = (np.clip(depth, 0, 1) * NEARNESS).astype(np.int64) << 8 | shade
         np.maximum.at(self._nearest, y * self._pen.width + x, key)
@@ -87,6 +104,18 @@ class DepthBuffer:
             left = np.where(meets, np.fmin(left, crossing), left)
             far = np.where(meets, np.fmax(far, crossing), far)
         return row, owner, left, far
+
+    def hides(self, points: Doubles, nearest: Doubles) -> Bools:
+        """Whether a cell nearer than `nearest`, (m,) of `View.nearness`, is seen at points (m, 3).
+
+        What is off the screen is hidden.
+        """
+        x, y = np.floor(apply(points, self._view.screen)[:, :2] + 0.5).astype(np.int64).T
+        inside = (x >= 0) & (x < self._pen.width) & (y >= 0) & (y < self._pen.height)
+        hidden: Bools = ~inside
+        there = self._nearest[y[inside] * self._pen.width + x[inside]]
+        hidden[inside] = (there >> 8) / NEARNESS > self._depth(nearest[inside])
+        return hidden
 
     def draw(self) -> None:
         """Set each pixel to the nearest colour."""

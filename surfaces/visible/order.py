@@ -15,7 +15,7 @@ depth of their middles, which is right to within a cell.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +40,24 @@ def back_to_front(field: NDArray[Item], eye: Doubles) -> NDArray[Item]:
     return field[:: 1 if eye[0] >= 0 else -1, :: 1 if eye[1] >= 0 else -1]
 
 
+def painting_order(view: View, x: Doubles, y: Doubles) -> tuple[Any, Any]:
+    """The index that brings the cells between lines of x and y into order, the nearest last."""
+    if view.parallel:
+        ways = (slice(None, None, 1 if eye >= 0 else -1) for eye in view.eye[:2])
+        return next(ways), next(ways)
+    return _approach(x, view.eye[0])[:, np.newaxis], _approach(y, view.eye[1])
+
+
+def _approach(lines: Doubles, eye: float) -> Ints:
+    """The strips between lines, from both sides toward the one in which the eye is.
+
+    Whichever way a ray leads from an eye near by, it meets them in the opposite order.
+    """
+    away = np.maximum(lines[:-1] - eye, eye - lines[1:])
+    strips: Ints = np.argsort(-away, kind="stable")
+    return strips
+
+
 @dataclass(frozen=True)
 class Cells:
     """Cells of surfaces, in painting order: the nearest last."""
@@ -61,7 +79,7 @@ class Cells:
         """(m,): whether the under side is seen, where the corners appear as in `screen`."""
         (ax, ay), (bx, by) = (screen[:, 2] - screen[:, 0]).T, (screen[:, 3] - screen[:, 1]).T
         # Counterclockwise in space is clockwise on the screen, or not: as the axes are drawn.
-        right, down = self.view.screen[:3, :2].T
+        right, down = self.view.arrows.T
         return np.asarray((ax * by - ay * bx) * (np.cross(right, down) @ self.view.eye) < 0)
 
 
@@ -79,15 +97,16 @@ def cells_of_grids(grids: Sequence[Grid], fields: Sequence[Field], view: View, e
     whole = np.stack([grid.whole for grid in thin], axis=2)
     if len(grids) > 1:
         # Of two surfaces one above the other, the one on the eye's side is the nearer.
-        height = np.nan_to_num(nodes[..., 2].ravel()[corners].mean(axis=3)) * np.sign(view.eye[2])
-        order = np.argsort(height, axis=2)
+        height = np.nan_to_num(nodes[..., 2].ravel()[corners].mean(axis=3))
+        eye = view.eye[2]
+        near = height * np.sign(eye) if view.parallel else -np.abs(height - eye)
+        order = np.argsort(near, axis=2)
         whole = np.take_along_axis(whole, order, axis=2)
         corners = np.take_along_axis(corners, order[..., None], axis=2)
-    there = back_to_front(whole, view.eye)
+    sequence = painting_order(view, thin[0].x, thin[0].y)
+    there = whole[sequence]
     values = np.stack([field.value[np.ix_(i, j)] for field in fields])
-    cells = Cells(
-        nodes.reshape(-1, 3), values.ravel(), back_to_front(corners, view.eye)[there], view
-    )
+    cells = Cells(nodes.reshape(-1, 3), values.ravel(), corners[sequence][there], view)
     if any(grid.rim is not None for grid in thin):
         cells = _with_rims(cells, thin, fields, index, there)
     return cells
@@ -103,7 +122,9 @@ def _with_rims(
     """
     order = np.ravel_multi_index(np.nonzero(there)[:2], there.shape[:2])
     ranks = np.empty(there.shape[:2], dtype=np.int64)
-    back_to_front(ranks, cells.view.eye)[:] = np.arange(ranks.size).reshape(ranks.shape)
+    ranks[painting_order(cells.view, grids[0].x, grids[0].y)] = np.arange(ranks.size).reshape(
+        ranks.shape
+    )
     for grid, field, nodes in zip(grids, fields, index, strict=True):
         if grid.rim is not None:
             own = range(nodes[0, 0], nodes[-1, -1] + 1)
@@ -138,7 +159,7 @@ def cells_of_points(points: Doubles, value: Doubles, view: View, every: int) -> 
     i, j = (every_nth(count, every) for count in value.shape)
     nodes = points[np.ix_(i, j)].reshape(-1, 3)
     corners = quads(np.arange(len(nodes)).reshape(len(i), len(j), 1))[..., 0]
-    near = (nodes @ view.eye)[corners].mean(axis=2)
+    near = view.nearness(nodes)[corners].mean(axis=2)
     there = np.isfinite(near)
     order = np.argsort(near[there], kind="stable")
     return Cells(nodes, value[np.ix_(i, j)].ravel(), corners[there][order], view)

@@ -75,11 +75,7 @@ def fill(picture: Picture) -> None:
     if easel.pen.vector or not len(cells.corners):
         _paint(easel, cells, BACKGROUND)
         return
-    buffer = DepthBuffer(easel.pen, easel.palette)
-    screen, near = cells.screen, (cells.nodes @ easel.view.eye)[cells.corners]
-    near = (near - near.min()) / (np.ptp(near) or 1.0)
-    buffer.add(screen, near, cells.values[cells.corners], cells.under(screen))
-    buffer.draw()
+    DepthBuffer(easel.pen, easel.palette, cells).draw()
 
 
 def mesh(picture: Picture) -> None:

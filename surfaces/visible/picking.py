@@ -32,6 +32,14 @@ class Triangles:
     """(m, 3, 3)"""
     screen: Doubles
     """(m, 3, 2)"""
+    w: Doubles
+    """(m, 3): what a perspective divides the corners by; else 1."""
+
+    @classmethod
+    def of(cls, space: Doubles, view: View) -> "Triangles":
+        """Triangles in space, (m, 3, 3), as they are seen."""
+        w = np.ones(space.shape[:2]) if view.parallel else 1 / view.nearness(space)
+        return cls(space, apply(space, view.screen)[..., :2], w)
 
     @cached_property
     def _around(self) -> tuple[Doubles, Doubles]:
@@ -42,7 +50,7 @@ class Triangles:
         low, high = self._around
         here = np.array((px, py))
         near = np.flatnonzero(((low < here + 1) & (high > here - 1)).all(axis=1))
-        return Triangles(self.space[near], self.screen[near])
+        return Triangles(self.space[near], self.screen[near], self.w[near])
 
     def points_at(self, px: float, py: float) -> Doubles:
         """Their points at a place of the screen, (n, 3)."""
@@ -52,6 +60,10 @@ class Triangles:
         area[area == 0] = np.nan  # a triangle seen on its edge, or none at all
         u, v = (x * cy - y * cx) / area, (bx * y - by * x) / area
         hit = np.flatnonzero((u >= -ROUNDING) & (v >= -ROUNDING) & (u + v <= 1 + ROUNDING))
+        # Barycentric coordinates on the screen are those in space, times w, up to their sum.
+        at_b, at_c = u[hit] / self.w[hit, 1], v[hit] / self.w[hit, 2]
+        whole = (1 - u[hit] - v[hit]) / self.w[hit, 0] + at_b + at_c
+        u[hit], v[hit] = at_b / whole, at_c / whole
         start, to_b, to_c = self.space[hit].swapaxes(0, 1)
         found: Doubles = start + u[hit, None] * (to_b - start) + v[hit, None] * (to_c - start)
         return found
@@ -59,7 +71,7 @@ class Triangles:
 
 def nearest(points: Sequence[Doubles] | Doubles, view: View) -> Doubles | None:
     """Of points (x, y, z) on one pixel the one nearest to the eye; None if there are none."""
-    return max(points, key=lambda point: float(point @ view.eye), default=None)
+    return max(points, key=lambda point: float(view.nearness(point)), default=None)
 
 
 def pick(
@@ -93,6 +105,16 @@ def pick(
         hit = nearest(hits, view)
         if hit is not None:
             return apply((x, y, apply(hit, view.screen)[2]), view.back)
+    return None
+
+
+def pick_triangle(triangles: Triangles, view: View, px: float, py: float) -> Doubles | None:
+    """The nearest point (x, y, z) of triangles at a pixel, or within half a pixel; or None."""
+    triangles = triangles.near(px, py)
+    for dx, dy in AROUND:
+        hit = nearest(triangles.points_at(px + dx, py + dy), view)
+        if hit is not None:
+            return hit
     return None
 
 

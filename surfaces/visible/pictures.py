@@ -11,10 +11,11 @@ from surfaces.shape.fields import Field
 from surfaces.shape.grid import Grid
 from surfaces.shape.sheet import Sheet
 from surfaces.space.transforms import apply
+from surfaces.visible.depth import DepthBuffer
 from surfaces.visible.horizon import Horizon
 from surfaces.visible.order import Cells, cells_of_grids, cells_of_points
 from surfaces.visible.painter import Picture, mesh_lines
-from surfaces.visible.picking import Triangles, nearest, pick
+from surfaces.visible.picking import Triangles, nearest, pick, pick_triangle
 from surfaces.visible.sweep import Sweep
 
 
@@ -36,9 +37,10 @@ class HeightPicture(Picture):
     def swept(self) -> bool:
         """Whether the floating horizon can draw it: one surface, without holes, not on its edge.
 
-        Where a system is made of polygons, cells are better than the horizon's pixels.
+        In a perspective the columns would have to fan out; and where a system is made of polygons,
+        cells are better than the horizon's pixels.
         """
-        alone = len(self.grids) == 1 and not self.easel.pen.vector
+        alone = len(self.grids) == 1 and not self.easel.pen.vector and self.view.parallel
         return alone and bool(self.grids[0].whole.all()) and not self.sweeps[0].edge_on
 
     @cached_property
@@ -50,8 +52,17 @@ class HeightPicture(Picture):
     def rims(self) -> Triangles:
         """Parts of cells at the rims of holes."""
         found = [g.rim.triangles(g.points.reshape(-1, 3)) for g in self.grids if g.rim is not None]
-        space = np.concatenate([np.zeros((0, 3, 3)), *found])
-        return Triangles(space, apply(space, self.view.screen)[..., :2])
+        return Triangles.of(np.concatenate([np.zeros((0, 3, 3)), *found]), self.view)
+
+    @cached_property
+    def depths(self) -> DepthBuffer:
+        """How near to the eye the surfaces are at every pixel, for a perspective, too."""
+        return DepthBuffer(self.easel.pen, self.easel.palette, self.cells())
+
+    @cached_property
+    def triangles(self) -> Triangles:
+        """All of the surfaces, for a perspective, in which there are no columns."""
+        return triangles(self.cells())
 
     def cells(self, every: int = 1) -> Cells:
         """The cells in painting order, each made of `every` by `every` cells of the grid."""
@@ -68,8 +79,16 @@ class HeightPicture(Picture):
 
     def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""
+        if not self.view.parallel:
+            return pick_triangle(self.triangles, self.view, px, py)
         holes = [~grid.whole for grid in self.grids]
         return pick(self.sweeps, holes, self.rims, self.view, px, py)
+
+
+def triangles(cells: Cells) -> Triangles:
+    """Two for every cell."""
+    space = cells.nodes[cells.corners]
+    return Triangles.of(np.concatenate((space[:, :3], space[:, [0, 2, 3]])), cells.view)
 
 
 @dataclass(frozen=True)
@@ -93,14 +112,7 @@ class SheetPicture(Picture):
 
     @cached_property
     def _triangles(self) -> Triangles:
-        """Two for every cell."""
-        cells = self.cells()
-        space, screen = cells.nodes[cells.corners], cells.screen
-        halves = [0, 1, 2], [0, 2, 3]
-        return Triangles(
-            np.concatenate([space[:, half] for half in halves]),
-            np.concatenate([screen[:, half] for half in halves]),
-        )
+        return triangles(self.cells())
 
     def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""

@@ -36,20 +36,22 @@ def cast(
     height: int,
     steps: int = 500,
 ) -> Cast:
-    """Send a ray through the middle of every pixel."""
+    """Send a ray through the middle of every pixel, to the eye: a direction, or a place near by."""
     px, py = np.meshgrid(np.arange(width), np.arange(height))
     start = np.stack((px, py, 0 * px, 0 * px + 1), axis=-1).reshape(-1, 4) @ np.linalg.inv(screen)
-    start = start[:, :3]
+    start = start[:, :3] / start[:, 3:]
+    direction = eye - start if screen[:3, 3].any() else np.broadcast_to(eye, start.shape)
     low, high = np.array((x, y, z)).T
     with np.errstate(divide="ignore", invalid="ignore"):
-        a, b = (low - start) / eye, (high - start) / eye
+        a, b = (low - start) / direction, (high - start) / direction
     far = np.nanmax(np.minimum(a, b), axis=1)
     near = np.nanmin(np.maximum(a, b), axis=1)
     inside = np.flatnonzero(far < near)
     start, far, near = start[inside], far[inside], near[inside]
+    direction = direction[inside]
 
     def above(t: Array) -> Array:
-        p = start + t[:, None] * eye
+        p = start + t[:, None] * direction
         return np.asarray(p[:, 2] - f(p[:, 0], p[:, 1]))
 
     before, t0 = above(near), near.copy()
@@ -71,7 +73,7 @@ def cast(
     point = np.zeros((width * height, 3))
     hit[inside] = found
     under[inside] = found & (before <= 0)
-    point[inside] = start + nearer[:, None] * eye
+    point[inside] = start + nearer[:, None] * direction
     shape = height, width
     return Cast(hit.reshape(shape), point.reshape(*shape, 3), under.reshape(shape))
 

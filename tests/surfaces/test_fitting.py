@@ -88,7 +88,8 @@ def test_bad_zfrac(zfrac: float) -> None:
 def test_every_projection_fits(name: str, turning: bool) -> None:
     normal, mapping = fit(BOX, 640, 480, PROJECTIONS[name], turning=turning)
     seen = mapping.project(apply(corners(BOX), normal))[:, :2]
-    assert (seen.min(axis=0) + seen.max(axis=0)) / 2 == pytest.approx((319.5, 239.5))
+    if name != "perspective" or not turning:  # near by, what turns is centred as a ball is
+        assert (seen.min(axis=0) + seen.max(axis=0)) / 2 == pytest.approx((319.5, 239.5))
     assert seen.min() >= 24 - 1e-9
     if not turning:  # as wide or as high as can be; heights may be foreshortened
         assert np.ptp(seen[:, 0]) == pytest.approx(591) or np.ptp(seen[:, 1]) > 0.9 * 431
