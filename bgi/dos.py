@@ -17,13 +17,12 @@ from bgi.kernel.arguments import Number, real, whole
 from bgi.kernel.state import KERNEL
 from bgi.monitor import moment
 from bgi.monitor.keycodes import bios_code
+from bgi.monitor.script import LONGEST
 
 __all__ = ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
 
 CLK_TCK = CLOCKS_PER_SEC = 18.2
 """What clock() counts in a second: the PC's timer ticks."""
-
-_LONGEST = (1 << 31) - 1  # milliseconds: C's largest int; more than any clock here can count
 
 RAND_MAX = 32767
 """The largest number that rand() returns."""
@@ -77,8 +76,8 @@ def sleep(seconds: Number) -> None:
 def _wait(name: str, time: Number, unit: int) -> None:
     """Wait so many times `unit` milliseconds."""
     wait = real(name, time) * unit
-    if not 0 <= wait <= _LONGEST:
-        raise ValueError(f"{name} must be a finite number of 0 or more, at most {_LONGEST // unit}")
+    if not 0 <= wait <= LONGEST:
+        raise ValueError(f"{name} must be a finite number of 0 or more, at most {LONGEST // unit}")
     if current.loaded() is None:
         _time.sleep(wait / 1000)
     else:

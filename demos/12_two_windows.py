@@ -4,7 +4,7 @@
 
 What it shows: initwindow() opens another window, with a monitor of its own, and setcurrentwindow()
 says in which one the next calls draw. A pen draws a figure in the first window, and its mirror
-image in the second, in colours of its own. Any key in the first window ends.
+image in the second, in colours of its own. Any key ends, in whichever window it is typed.
 """
 
 from math import cos, pi, sin
@@ -49,7 +49,7 @@ def draw() -> None:
 
 
 def main() -> None:
-    """Draw in both windows, in turn, until a key is pressed in the first."""
+    """Draw in both windows, in turn, until a key is pressed in either."""
     initgraph(*MODE)
     first = getcurrentwindow()
     title("the first window: any key ends")

@@ -14,6 +14,7 @@ from collections.abc import Callable
 from bgi.errors import BGIError, NobodyThere, TimeIsUp
 from bgi.memory.card import Card
 from bgi.monitor import moment
+from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import KeyQueue
 from bgi.monitor.plan import Plan, saving
 from bgi.monitor.pointer import Mouse
@@ -58,6 +59,7 @@ class Headless:
         self._owner = os.getpid()
         self._began = moment.now()
         self._card = card
+        self._idling = Idling(card) if card is not None else None
         self._plan = plan or Plan.from_environment(keys)
         neighbour = beside if isinstance(beside, Headless) else None
         self._time: Timeline = neighbour._time if neighbour else Timeline(self._plan.keys)
@@ -78,6 +80,7 @@ class Headless:
 
     def show(self) -> None:
         """Count one picture."""
+        self._wait_for_time()
         self.shown += 1
         self._pass(PICTURE)
 
@@ -89,6 +92,8 @@ class Headless:
         """Whether the script goes on."""
         self._expected = self._keys.waiting()
         self._pass(0 if self._expected else QUESTION)
+        if not self._expected:
+            self._rest_in_vain()
         return self._expected
 
     def read_key(self) -> int:
@@ -111,6 +116,17 @@ class Headless:
             later = min(self._time.next_key(), 1000 * self._plan.after)
             self._pass_until(later if later < math.inf else self.now)
 
+    def _rest_in_vain(self) -> None:
+        """Let a program rest that asks only for what never comes: a key, a click; nor does an end."""
+        never = min(self._time.next_key(), self._plan.after) == math.inf
+        if never and self._idling is not None and self._idling.count_question():
+            time.sleep(REST_SECONDS)
+
+    def _wait_for_time(self) -> None:
+        """The program asks for time, or lets it pass: that does come."""
+        if self._idling is not None:
+            self._idling.begin_anew()
+
     @property
     def keys(self) -> KeyQueue:
         """The program's keyboard: the keys that wait, and those that are down."""
@@ -121,6 +137,7 @@ class Headless:
     def mouse(self) -> Mouse:
         """A mouse that nobody moves."""
         self._pass(QUESTION)
+        self._rest_in_vain()
         return self._mouse
 
     def sound(self, hertz: int) -> None:
@@ -130,11 +147,13 @@ class Headless:
 
     def time(self) -> float:
         """The time, in seconds since 1970, if the program had begun when it did."""
+        self._wait_for_time()
         self._pass(QUESTION)
         return self._began + self.now / 1000
 
     def sleep(self, milliseconds: float) -> None:
         """Move the clock on."""
+        self._wait_for_time()
         self._pass(max(0.0, milliseconds))
 
     def set_title(self, title: str) -> None:

@@ -37,3 +37,7 @@ class Idling:
         self._left = self._limit = IMPATIENCE if idle else PATIENCE
         self._since = time.perf_counter() + (REST_SECONDS if idle else 0)
         return idle
+
+    def begin_anew(self) -> None:
+        """The program does more than ask."""
+        self._left = self._limit = PATIENCE

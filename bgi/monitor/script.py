@@ -11,7 +11,7 @@ from typing import NamedTuple
 from bgi.monitor.keycodes import KEYSTROKES, key_named, typed
 from bgi.monitor.keyqueue import KeyQueue
 
-LONGEST_SECONDS = ((1 << 31) - 1) / 1000  # C's largest int in milliseconds: 24 days
+LONGEST = (1 << 31) - 1  # milliseconds to wait at most: C's largest int, 24 days
 
 _SHIFTS = {"shift": 2, "ctrl": 4, "alt": 8}  # by the BIOS's flags
 
@@ -54,7 +54,7 @@ def parse_time(text: str) -> float:
         seconds = float(number) * unit
     except ValueError:
         seconds = -1
-    if not 0 < seconds <= LONGEST_SECONDS:
+    if not 0 < seconds <= LONGEST / 1000:
         raise ValueError(f"{text!r} is not a time: write 2s, 2.5s or 500ms; at most 24 days")
     return seconds
 

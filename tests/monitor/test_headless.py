@@ -177,3 +177,41 @@ def test_two_of_one_program_have_one_keyboard_and_one_time() -> None:
     other.sleep(300)
     assert one.now == other.now == 300
     assert (other.read_key(), one.read_key(), one.now) == (ord("a"), ord("b"), 1000)
+
+
+# A loop that asks in vain
+
+
+@pytest.mark.parametrize(
+    ("plan", "rests"),
+    [
+        (Plan(), True),
+        (Plan(after=1e6), False),
+        (Plan(parse_script("Wait9999s a")), False),
+    ],
+)
+@pytest.mark.parametrize("question", ["key_waiting()", "mouse"])
+def test_a_loop_that_asks_for_what_never_comes_rests(
+    monkeypatch: pytest.MonkeyPatch, plan: Plan, rests: bool, question: str
+) -> None:
+    slept: list[float] = []
+    monkeypatch.setattr("bgi.monitor.headless.time.sleep", slept.append)
+    monkeypatch.setattr("bgi.monitor.idling.time.perf_counter", lambda: 100.0)
+    card = Card()
+    card.set_mode(320, 200, 2)
+    monitor = Headless(card=card, plan=plan)
+    for _ in range(3000):
+        eval(f"monitor.{question}")
+    assert bool(slept) == rests
+    before = len(slept)
+    for wait in (monitor.time, lambda: monitor.sleep(1), monitor.show):
+        for _ in range(3000):
+            eval(f"monitor.{question}")
+            wait()
+    assert len(slept) == before
+    for number in range(3000):  # one that draws does not
+        card.page(0)[number] = 1
+        card.touch()
+        eval(f"monitor.{question}")
+    assert len(slept) <= before + 1
+    monitor.close()

@@ -10,7 +10,7 @@ from bgi.errors import BGIError
 from bgi.memory.sdl import pygame
 from bgi.monitor.keycodes import KEYSTROKES, bios_code, encode, key_named, name_of, shift_flags
 from bgi.monitor.keyqueue import BIOS_BUFFER, KeyQueue
-from bgi.monitor.script import LONGEST_SECONDS, Press, parse_script, parse_time
+from bgi.monitor.script import LONGEST, Press, parse_script, parse_time
 
 NONE, SHIFT, CTRL, ALT = 0, pygame.KMOD_LSHIFT, pygame.KMOD_LCTRL, pygame.KMOD_LALT
 F = [getattr(pygame, f"K_F{n}") for n in range(1, 13)]
@@ -334,7 +334,7 @@ def test_a_script_with_a_wrong_time(word: str) -> None:
 
 def test_times() -> None:
     assert [parse_time(text) for text in ("2s", "2.5", "500ms")] == [2, 2.5, 0.5]
-    assert parse_time(f"{LONGEST_SECONDS}s") == LONGEST_SECONDS
+    assert parse_time(f"{LONGEST}ms") == LONGEST / 1000
     with pytest.raises(ValueError, match="at most 24 days"):
         parse_time("2147484s")
 
