@@ -5,7 +5,6 @@ program that ends because its window is gone made no error: its exit status is 0
 why, unless it was planned.
 """
 
-import _thread
 import atexit
 import functools
 import signal
@@ -64,7 +63,7 @@ def interrupt(error: WindowClosed) -> None:
             return
         _interrupted = error
         if sys.platform == "win32":
-            _thread.interrupt_main()
+            signal.raise_signal(signal.SIGINT)
         else:  # a real signal: it ends a sleep
             signal.pthread_kill(_main_thread(), signal.SIGINT)
 

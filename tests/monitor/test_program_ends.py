@@ -13,7 +13,7 @@ import bgi
 from bgi import conio, dos, mouse
 from bgi.errors import BGIError, NobodyThere, TimeIsUp, WindowClosed
 from bgi.memory.sdl import pygame
-from tests.processes import PATIENCE
+from tests.processes import PATIENCE, posix
 
 HOME = Path(__file__).resolve().parents[2]
 MONITORS = ["none", "window"]
@@ -118,6 +118,7 @@ def test_nobody_can_press_a_key(tmp_path: Path, through: list[str]) -> None:
     assert (tmp_path / "s.png").exists()
 
 
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display")
 def test_the_first_program_without_a_display(tmp_path: Path) -> None:
     readme = (HOME / "README.md").read_text("utf-8")
     (tmp_path / "first.py").write_text(readme.split("```python\n")[1].split("```")[0])
@@ -129,7 +130,7 @@ def test_the_first_program_without_a_display(tmp_path: Path) -> None:
     assert second == NOBODY
 
 
-@pytest.mark.skipif(WINDOWS, reason="ends the window's process by a signal")
+@posix
 @pytest.mark.parametrize("through", [[], ["-m", "bgi"]])
 def test_the_user_closes_the_window(tmp_path: Path, through: list[str]) -> None:
     program = tmp_path / "program.py"
