@@ -1,0 +1,105 @@
+"""The command line of `python -m bench`: which groups, kept where, compared with what."""
+
+import argparse
+import statistics
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from bench import monitor, readme, report
+from bench.groups import (
+    arrays,
+    curves,
+    fills,
+    images,
+    lines,
+    plots,
+    programs,
+    settings,
+    startup,
+    text,
+)
+from bench.libraries import libraries
+from bench.plotters import plotters
+from bench.saved import Run
+from bench.timing import Row, measure, unit
+
+ROUNDS = 11
+
+
+class Group(NamedTuple):
+    """Rows that are asked for by one name."""
+
+    rows: Callable[[], list[Row]]
+    most_rounds: int = ROUNDS
+
+
+GROUPS = {
+    "lines": Group(lines.rows),
+    "curves": Group(curves.rows),
+    "fills": Group(fills.rows),
+    "text": Group(text.rows),
+    "images": Group(images.rows),
+    "settings": Group(settings.rows),
+    "arrays": Group(arrays.rows),
+    "programs": Group(programs.rows),
+    "startup": Group(startup.rows, most_rounds=5),
+    "surfaces": Group(plots.rows, most_rounds=5),
+    "growth": Group(plots.growth_rows, most_rounds=3),
+    "memory": Group(plots.memory_rows, most_rounds=0),
+}
+PLOTS = {"surfaces"}
+MONITOR = "monitor"
+
+
+def main(words: Sequence[str] | None = None) -> None:
+    """Do what the command line says."""
+    options = parser().parse_args(words)
+    if options.readme:
+        readme.write(Run.load(options.readme))
+        return
+    named = options.groups or list(GROUPS)
+    if unknown := set(named) - {*GROUPS, MONITOR}:
+        sys.exit(f"bench: no {', '.join(unknown)}; there are {', '.join(GROUPS)}, {MONITOR}")
+    if MONITOR in named:
+        monitor.report()
+    wanted = [name for name in named if name != MONITOR]
+    if not wanted:
+        return
+    run = measured(wanted, options.rounds)
+    print(report.table(run))
+    if options.save:
+        run.save(options.save)
+    if options.against:
+        print(f"\n{report.comparison(Run.load(options.against), run)}")
+
+
+def parser() -> argparse.ArgumentParser:
+    """What may be typed."""
+    made = argparse.ArgumentParser("python -m bench", description="Measure us beside our peers.")
+    made.add_argument(
+        "groups",
+        nargs="*",
+        metavar="group",
+        help=f"{', '.join(GROUPS)}, all of them unless named; or {MONITOR}: the window",
+    )
+    made.add_argument("--rounds", type=int, default=ROUNDS, help="how often, at most")
+    made.add_argument("--save", type=Path, metavar="FILE", help="keep the run")
+    made.add_argument("--against", type=Path, metavar="FILE", help="compare with a kept run")
+    made.add_argument("--readme", type=Path, metavar="FILE", help="write README's table from one")
+    return made
+
+
+def measured(names: Sequence[str], rounds: int) -> Run:
+    """Measure groups. What it is at is told on the standard error."""
+    results = []
+    for name in names:
+        group = GROUPS[name]
+        for row in group.rows():
+            print(f"\r{row.group}: {row.name:40}", end="", file=sys.stderr, flush=True)
+            results.append(measure(row, min(rounds, group.most_rounds)))
+    print("\r" + " " * 60 + "\r", end="", file=sys.stderr, flush=True)
+    peers = dict(libraries()) | (plotters() if PLOTS & set(names) else {})
+    missing = [name for name, peer in peers.items() if peer is None]
+    return Run(rounds, missing, statistics.median(unit(0) for _ in range(99)), results)
