@@ -51,14 +51,15 @@ def rows(group: str, table: Iterable[Call | ArrayCall | Program]) -> list[Row]:
     for entry in table:
         tasks = {}
         for name, library in libraries().items():
-            task = _task(entry, library) if library else None
+            task = task_of(entry, library) if library else None
             if task:
                 tasks[name] = task
         made.append(Row(group, entry.name, tasks))
     return made
 
 
-def _task(entry: Call | ArrayCall | Program, library: Library) -> Task | None:
+def task_of(entry: Call | ArrayCall | Program, library: Library) -> Task | None:
+    """How a library does what an entry says; None: it cannot."""
     if isinstance(entry, Program):
         return _program(entry, library) if library.functions else None
     function = library.function(entry.function)

@@ -11,6 +11,7 @@ import os
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any, NamedTuple, Protocol
+from unittest import mock
 
 import numpy as np
 
@@ -120,6 +121,8 @@ class SdlBgi:
     def _image(self, size: int) -> Any:
         box = 0, 0, size - 1, size - 1
         buffer = ctypes.create_string_buffer(self.module.imagesize(*box))
+        self.module.setfillstyle(bgi.SOLID_FILL, bgi.BLUE)
+        self.module.bar(*box)
         self.module.getimage(*box, buffer)
         return buffer
 
@@ -222,19 +225,16 @@ def sdl_bgi() -> SdlBgi | None:
     """SDL_bgi, if its module and its library are installed.
 
     The module loads a library by a name, and ends the interpreter where there is none. So it is
-    given, while it is imported, the one that `BENCH_SDL_BGI` names.
+    given, while it is imported, the one that `BENCH_SDL_BGI` names. It draws into no window.
     """
-    load = ctypes.CDLL
     path = os.environ.get(LIBRARY)
-    os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
-    if path:
-        ctypes.CDLL = functools.partial(_load, load, path)  # type: ignore[assignment,misc]
-    try:
-        return SdlBgi(importlib.import_module("sdl_bgi"))
-    except (ImportError, SystemExit):
-        return None
-    finally:
-        ctypes.CDLL = load  # type: ignore[misc]
+    load = functools.partial(_load, ctypes.CDLL, path) if path else ctypes.CDLL
+    driver = {"SDL_VIDEODRIVER": "dummy"}
+    with mock.patch.dict(os.environ, driver), mock.patch.object(ctypes, "CDLL", load):
+        try:
+            return SdlBgi(importlib.import_module("sdl_bgi"))
+        except (ImportError, SystemExit):
+            return None
 
 
 def _load(load: Callable[[str], object], path: str, name: str) -> object:

@@ -54,9 +54,10 @@ def table(run: Run) -> str:
     lines = [HEAD, f"The unit: {run.unit * 1e9:.0f} ns. Rounds: {run.rounds}, medians."]
     lines += [", ".join(f"{name} {number}" for name, number in run.versions.items())]
     lines += [f"{peer}: not installed" for peer in run.missing]
-    lines += ["", f"{'':36}{'ours':>12}{'units':>12}" + "".join(f"{p:>11}" for p in PEERS)]
+    peers = [peer for peer in PEERS if any(peer in result.ratios for result in run.results)]
+    lines += ["", f"{'':36}{'ours':>12}{'units':>12}" + "".join(f"{p:>11}" for p in peers)]
     for result in in_order(run.results):
-        ratios = (result.ratios.get(peer) for peer in PEERS)
+        ratios = (result.ratios.get(peer) for peer in peers)
         shown = "".join(f"{'' if ratio is None else f'{ratio:.2f}':>11}" for ratio in ratios)
         lines.append(f"{result.name:36}{amount(result):>12}{units(result):>12}{shown}".rstrip())
     return "\n".join(lines)

@@ -91,7 +91,7 @@ def test_cold_rows_never_meet_the_same_arguments():
     def drawn_by(cold):
         drawn.clear()
         entry = calls.Call("a", "line", arguments.lines(50), cold=cold)
-        task = calls._task(entry, Library())
+        task = calls.task_of(entry, Library())
         for number in (0, 1):
             task(number)
         return len(set(drawn))
