@@ -45,8 +45,8 @@ GROUPS = {
     "arrays": Group(arrays.rows),
     "programs": Group(programs.rows),
     "startup": Group(startup.rows, most_rounds=5),
-    "surfaces": Group(plots.rows, most_rounds=5),
-    "growth": Group(plots.growth_rows, most_rounds=3),
+    "surfaces": Group(plots.rows, most_rounds=3),
+    "growth": Group(plots.growth_rows, most_rounds=1),
     "memory": Group(plots.memory_rows, most_rounds=0),
 }
 PLOTS = {"surfaces"}

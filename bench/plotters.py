@@ -16,7 +16,7 @@ import numpy as np
 from bench.processes import cpu_seconds
 from bench.timing import Task
 
-GNUPLOTS = 3  # plots in one script
+GNUPLOTS = 2  # plots in one script
 
 
 def timed(draw: Callable[[int], object]) -> Task:

@@ -101,7 +101,7 @@ PLOTS = [
     Plot("waterfall", ours(f, mode="waterfall", every=1)),
     Plot("wire of all lines", ours(f, mode="wire", every=1), height_field(f), "plot_wireframe"),
     Plot("contours", ours(f, contours=10)),
-    Plot("facets", ours(f, mode="facets"), height_field(f)),
+    Plot("facets", ours(f, mode="facets")),
     Plot("holes", ours(dome), height_field(dome)),
     Plot("pole", ours(pole, z=(-5, 5))),
     Plot("two functions", ours(f, valley), height_field(f, valley)),
