@@ -118,4 +118,7 @@ def plots(run: Run) -> str:
 
 def ratio(result: Result, peer: str) -> str:
     """A peer's time through ours."""
-    return f"{result.ratios[peer]:.2f}" if peer in result.ratios else ""
+    if peer not in result.ratios:
+        return ""
+    times = result.ratios[peer]
+    return f"{times:.2f}" if times < 10 else f"{times:,.0f}"
