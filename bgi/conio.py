@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 
 from bgi import current
-from bgi.errors import BGIWarning
+from bgi.errors import BGIWarning, brief
 from bgi.kernel.arguments import Number, whole
 
 __all__ = ["EOF", "getch", "getche", "kbhit", "ungetch"]
@@ -83,5 +83,5 @@ def ungetch(c: Number) -> int:
     """
     code = whole("c", c)
     if not 0 <= code <= 255:
-        raise ValueError(f"c must be a code from 0 to 255, not {code}")
+        raise ValueError(f"c must be a code from 0 to 255, not {brief(code)}")
     return code if current.screen.monitor.keys.put_back(code) else EOF

@@ -13,6 +13,7 @@ from calendar import timegm
 from dataclasses import dataclass
 
 from bgi import current
+from bgi.errors import brief
 from bgi.kernel.arguments import Number, real, whole
 from bgi.kernel.state import KERNEL
 from bgi.monitor import moment
@@ -112,7 +113,7 @@ def biostime(cmd: Number, newtime: Number = 0) -> int:
     ValueError for another command. Source: bios.h.
     """
     if whole("cmd", cmd) != 0:
-        raise ValueError(f"cmd must be 0: the clock can be read, not set; got {cmd!r}")
+        raise ValueError(f"cmd must be 0: the clock can be read, not set; got {brief(cmd)}")
     now = _now()
     day = _local(now)
     return int(((day.tm_hour * 60 + day.tm_min) * 60 + day.tm_sec + now % 1) * CLK_TCK)
@@ -182,7 +183,7 @@ def random(num: Number) -> int:
     """
     count = whole("num", num)
     if count < 0:
-        raise ValueError(f"num must be 0 or more, not {count}")
+        raise ValueError(f"num must be 0 or more, not {brief(count)}")
     return rand() * count >> 15
 
 
@@ -215,4 +216,4 @@ def bioskey(cmd: Number) -> int:
         return bios_code(keystroke) if keystroke else 0
     if command == 2:
         return monitor.keys.shifts
-    raise ValueError(f"cmd must be 0, 1 or 2, not {command}")
+    raise ValueError(f"cmd must be 0, 1 or 2, not {brief(command)}")

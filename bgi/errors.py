@@ -4,6 +4,29 @@ What Borland answered with a code is a code here too: `graphresult()` hands it o
 raised where Borland's library could only have crashed, hung or ended the program.
 """
 
+import reprlib
+
+
+class _Short(reprlib.Repr):
+    """Texts of values: never long, and never an error."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.maxstring = self.maxother = 60
+
+    def repr_int(self, x: int, level: int) -> str:
+        """A whole number, unless Python would refuse to write that many digits."""
+        bits = x.bit_length()
+        return repr(x) if bits <= 256 else f"<a whole number of {bits} bits>"
+
+
+def brief(value: object) -> str:
+    """A value as messages show it: at once, however long its own text would be."""
+    return f"{_SHORT.repr(value):.60}"
+
+
+_SHORT = _Short()
+
 
 class BGIError(RuntimeError):
     """A call that cannot be carried out: no graphics mode, no window, no key to wait for."""
@@ -18,7 +41,7 @@ class GraphicsError(BGIError):
     def __init__(
         self, function: str, arguments: dict[str, object], code: int, message: str, why: str = ""
     ) -> None:
-        given = ", ".join(f"{name}={value!r:.60}" for name, value in arguments.items())
+        given = ", ".join(f"{name}={brief(value)}" for name, value in arguments.items())
         super().__init__(f"{function}({given}): {message} ({code}){why and ': '}{why}")
         self.function = function
         self.arguments = arguments

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from bgi import current
-from bgi.kernel.arguments import Number, whole
+from bgi.errors import brief
+from bgi.kernel.arguments import Number, check_function, whole
 from bgi.monitor.pointer import LEFT, MIDDLE, RIGHT, Count, pressed, released
 
 __all__ = [
@@ -133,6 +134,7 @@ def on_event(mask: Number, handler: Callable[[int, int, int, int], object] | Non
             no function any more.
     """
     wanted = whole("mask", mask)
+    check_function("handler", handler)
     handlers = current.screen.monitor.mouse.handlers
     if handler is None:
         handlers.pop(0, None)
@@ -152,5 +154,5 @@ def _limits() -> tuple[int, int, int, int]:
 def _button(button: Number) -> int:
     number = whole("button", button)
     if number not in (LEFT, RIGHT, MIDDLE):
-        raise ValueError(f"button must be 0 (left), 1 (right) or 2 (middle), not {number}")
+        raise ValueError(f"button must be 0 (left), 1 (right) or 2 (middle), not {brief(number)}")
     return number

@@ -9,7 +9,8 @@ from collections.abc import Callable
 
 from bgi import current
 from bgi.constants import NO_CLICK
-from bgi.kernel.arguments import Number, whole
+from bgi.errors import brief
+from bgi.kernel.arguments import Number, check_function, flag, whole
 from bgi.monitor.pointer import KINDS
 
 # fmt: off
@@ -71,7 +72,7 @@ def setmousequeuestatus(kind: Number, status: bool = True) -> None:
         kind: as for ismouseclick().
         status: True for all of them (the last thousand), False for the latest.
     """
-    current.screen.monitor.mouse.keep_all(_kind(kind), bool(status))
+    current.screen.monitor.mouse.keep_all(_kind(kind), flag("status", status))
 
 
 def registermousehandler(kind: Number, handler: Callable[[int, int], object] | None) -> None:
@@ -85,6 +86,7 @@ def registermousehandler(kind: Number, handler: Callable[[int, int], object] | N
     An error in the function is printed, and the program goes on.
     """
     message = _kind(kind)
+    check_function("handler", handler)
     handlers = current.screen.monitor.mouse.handlers
     if handler is None:
         handlers.pop(message, None)
@@ -95,5 +97,6 @@ def registermousehandler(kind: Number, handler: Callable[[int, int], object] | N
 def _kind(kind: Number) -> int:
     number = whole("kind", kind)
     if number not in KINDS:
-        raise ValueError(f"kind must be WM_MOUSEMOVE, WM_LBUTTONDOWN or the like, not {number}")
+        known = "WM_MOUSEMOVE, WM_LBUTTONDOWN or the like"
+        raise ValueError(f"kind must be {known}, not {brief(number)}")
     return number

@@ -3,7 +3,7 @@
 Coordinates are relative to the viewport, y grows downwards, and any int is legal: what falls
 outside is cut off. A float is truncated toward zero. Wherever numbers go, arrays (or lists) of
 numbers go too: they broadcast as numpy's do, and mean the same call once for every element, in
-order.
+order. An array has at most 16,777,216 numbers and 32 dimensions; ValueError for more.
 
 Source: graphics.h, unless a function says otherwise.
 """

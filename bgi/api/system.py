@@ -20,8 +20,8 @@ from bgi.constants import (
     grNotDetected,
     grOk,
 )
-from bgi.errors import BGIWarning
-from bgi.kernel.arguments import Number, whole
+from bgi.errors import BGIWarning, brief
+from bgi.kernel.arguments import Number, check_function, check_text, flag, whole
 from bgi.kernel.drivers import Detect
 from bgi.kernel.state import KERNEL
 
@@ -63,7 +63,7 @@ def initgraph(
     driver, number = whole("gd", gd), whole("gm", gm)
     folder = "" if path is None else path
     if not isinstance(folder, (str, os.PathLike)):
-        raise TypeError(f"path must be a str, not {type(path).__name__}: {path!r:.60}")
+        raise TypeError(f"path must be a str, not {type(path).__name__}: {brief(path)}")
     if driver == DETECT:
         driver, number = KERNEL.drivers.autodetect() or detectgraph()
     mode = KERNEL.drivers.find(driver, number)
@@ -87,12 +87,12 @@ def _why_no_screen(driver: int, number: int) -> str:
     low, high = KERNEL.drivers.mode_range(driver)
     name = KERNEL.drivers.name(driver)
     if low >= 0:
-        return f"driver {driver} ({name}) has no mode {number}, only {low} to {high}"
+        return f"driver {driver} ({name}) has no mode {brief(number)}, only {low} to {high}"
     if name is not None:
         return f"driver {driver} ({name}) has no file: there is nothing to open"
-    size = min(driver, number) >= SMALLEST
-    hint = f"; for a window of that size: initwindow({driver}, {number})" if size else ""
-    return f"driver {driver} does not exist{hint}"
+    size, named = min(driver, number) >= SMALLEST, brief(driver)
+    hint = f"; for a window of that size: initwindow({named}, {brief(number)})" if size else ""
+    return f"driver {named} does not exist{hint}"
 
 
 SMALLEST = 64
@@ -168,7 +168,7 @@ def strict(on: bool = True) -> ExitStack:
     viewport. A refused call changes nothing. Source: this package.
     """
     before = KERNEL.result.strict
-    current.be_strict(bool(on))
+    current.be_strict(flag("on", on))
     after = ExitStack()
     after.callback(current.be_strict, before)
     return after
@@ -195,8 +195,8 @@ def installuserdriver(name: str, detect: Detect | None = None) -> int:
 
     Returns the driver's number, 16 or more, or -11 when the ten places are taken.
     """
-    if not isinstance(name, str):
-        raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
+    check_text("name", name)
+    check_function("detect", detect)
     number = KERNEL.drivers.install(name.upper().removesuffix(".BGI"), detect)
     if number < 0:
         KERNEL.result.set(number)
@@ -234,8 +234,7 @@ def installuserfont(name: str) -> int:
     Returns 11 or more, the number it has if it is there already, or -11 when the 20 places are
     taken.
     """
-    if not isinstance(name, str):
-        raise TypeError(f"name must be a str, not {type(name).__name__}: {name!r:.60}")
+    check_text("name", name)
     number = KERNEL.fonts.install(name)
     if number < 0:
         KERNEL.result.set(number)
@@ -251,6 +250,8 @@ def registerbgifont(font: str | bytes) -> int:
     Returns its number for settextstyle(); -13 if it is not a font, -11 when the table is full, and
     graphresult() says so too.
     """
+    if not isinstance(font, (str, bytes, bytearray, memoryview)):
+        raise TypeError(f"font must be a str or bytes, not {type(font).__name__}")
     number = KERNEL.fonts.install(font) if isinstance(font, str) else KERNEL.fonts.register(font)
     if number < 0:
         KERNEL.result.set(number)

@@ -89,7 +89,7 @@ def outtextxy(x: Number, y: Number, text: str | bytes) -> None:
     In the drawing colour; leaves the current position. In the built-in font a character that does
     not fit into the viewport whole (with clipping off, on the screen) is left out, and all of a
     level text that begins left of the screen. Stroked text is drawn by thin solid lines, each
-    clipped.
+    clipped; it has at most 65,536 characters, ValueError for more.
     """
     current.screen.outtextxy(x, y, text)
 

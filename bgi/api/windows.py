@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from bgi import current
 from bgi.constants import ALL_WINDOWS, grOk
-from bgi.kernel.arguments import Number, whole
+from bgi.errors import brief
+from bgi.kernel.arguments import Number, check_text, flag, whole
 from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL
 from bgi.machine import desktop_size
@@ -50,12 +51,13 @@ def initwindow(
     size = whole("width", width), whole("height", height)
     whole("left", left)
     whole("top", top)
-    if not isinstance(title, str):
-        raise TypeError(f"title must be a str, not {type(title).__name__}: {title!r:.60}")
+    check_text("title", title)
+    double = flag("dbflag", dbflag)
+    flag("closeflag", closeflag)
     if not all(0 < side <= MAX_SIDE for side in size):
-        raise ValueError(f"a window may be 1..{MAX_SIDE} pixels wide and high, not {size}")
+        raise ValueError(f"a window may be 1..{MAX_SIDE} pixels wide and high, not {brief(size)}")
     number = current.open_window(window(*size), title)
-    if dbflag:
+    if double:
         current.screen.setactivepage(1)
     KERNEL.result.set(grOk)
     return number

@@ -21,14 +21,25 @@ def _glyphs() -> NDArray[np.bool_]:
     return np.unpackbits(np.frombuffer(rows, np.uint8).reshape(256, CELL, 1), axis=2).astype(bool)
 
 
-@lru_cache(maxsize=256)
+_REMEMBERED = 1 << 16
+"""Pixels of a mask that is kept: larger ones rarely come again."""
+
+
 def mask(text: bytes, across: int, down: int, turned: bool = False) -> NDArray[np.bool_]:
     """The pixels of a string: True where it is drawn; every glyph pixel is across x down.
 
     Turned: each glyph lies on its back, in its own place.
     """
+    small = len(text) * CELL * CELL * across * down <= _REMEMBERED
+    return (_remembered if small else _mask)(text, across, down, turned)
+
+
+def _mask(text: bytes, across: int, down: int, turned: bool) -> NDArray[np.bool_]:
     glyphs = _glyphs()[np.frombuffer(text, np.uint8)]
     if turned:
         glyphs = np.rot90(glyphs, axes=(1, 2))
     line = glyphs.transpose(1, 0, 2).reshape(CELL, -1)
     return line.repeat(down, axis=0).repeat(across, axis=1)
+
+
+_remembered = lru_cache(maxsize=256)(_mask)

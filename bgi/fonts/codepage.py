@@ -2,6 +2,11 @@
 
 from functools import lru_cache
 
+from bgi.errors import brief
+
+REMEMBERED = 80
+"""Characters of a text of which anything is kept: longer ones rarely come again."""
+
 _CONTROL_PICTURES = "☺☻♥♦♣♠•◘○◙♂♀♪♫☼►◄↕‼¶§▬↨↑↓→←∟↔▲▼"
 _TO_CONTROL = {ord(picture): code for code, picture in enumerate(_CONTROL_PICTURES, start=1)}
 _TO_CONTROL[ord("⌂")] = 127
@@ -10,15 +15,17 @@ _TO_CONTROL[ord("⌂")] = 127
 def encode(text: str | bytes) -> bytes:
     """The bytes of a text: a str in code page 437 with `?` for what it lacks, bytes as they are."""
     if isinstance(text, str):
-        return _encode(text)
+        return _remembered(text) if len(text) <= REMEMBERED else _encode(text)
     if isinstance(text, bytes):
         return text
     raise TypeError(
-        f"text must be str or bytes, not {type(text).__name__}: {text!r:.60}"
+        f"text must be str or bytes, not {type(text).__name__}: {brief(text)}"
         " (use str(value) to print a number)"
     )
 
 
-@lru_cache(maxsize=1024)
 def _encode(text: str) -> bytes:
     return text.translate(_TO_CONTROL).encode("cp437", "replace")
+
+
+_remembered = lru_cache(maxsize=1024)(_encode)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from bgi.constants import CENTER_TEXT, RIGHT_TEXT, TOP_TEXT
 from bgi.fonts.chr import StrokedFont
+from bgi.fonts.codepage import REMEMBERED
 
 
 class Scale(NamedTuple):
@@ -36,7 +37,8 @@ SIZES = {
 """What settextstyle's sizes 1..10 mean for stroked fonts."""
 
 
-_MAX_REMEMBERED = 80  # characters of a text whose lines are kept: longer ones rarely come again
+MAX_CHARACTERS = 1 << 16
+"""Of a text in a stroked font: C's strings are no longer."""
 _NOTHING = np.empty((0, 4), dtype=np.int64)
 
 
@@ -47,10 +49,26 @@ def _scaled(number: int, mult: int, div: int) -> int:
     return quotient if (product < 0) == (div < 0) else -quotient
 
 
-@lru_cache(maxsize=1024)
 def textwidth(font: StrokedFont, text: bytes, scale: Scale) -> int:
-    """The width of a text: the sum of its characters' widths, then truncated once."""
+    """The width of a text: the sum of its characters' widths, then truncated once.
+
+    ValueError for a text that is too long.
+    """
+    if len(text) <= REMEMBERED:
+        return _known_width(font, text, scale)
+    if len(text) > MAX_CHARACTERS:
+        raise ValueError(
+            f"text may have {MAX_CHARACTERS:,} characters at most in a stroked font,"
+            f" not {len(text):,}"
+        )
+    return _width(font, text, scale)
+
+
+def _width(font: StrokedFont, text: bytes, scale: Scale) -> int:
     return _scaled(sum(map(font.width, text)), scale.mx, scale.dx)
+
+
+_known_width = lru_cache(maxsize=1024)(_width)
 
 
 def textheight(font: StrokedFont, scale: Scale) -> int:
@@ -65,7 +83,7 @@ def segments(
 
     A row whose ends are one point is a dot. Characters outside the font draw nothing.
     """
-    find = _remembered if len(text) <= _MAX_REMEMBERED else _segments
+    find = _remembered if len(text) <= REMEMBERED else _segments
     return find(font, text, scale, vertical)
 
 

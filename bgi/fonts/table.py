@@ -44,8 +44,11 @@ class FontTable:
 
     def register(self, data: bytes) -> int:
         """Take a font from memory; its number, -13 if it is not one, -11 if the table is full."""
+        view = memoryview(data)
+        if view.nbytes > MAX_BYTES:
+            return grInvalidFont
         try:
-            font = parse(bytes(memoryview(data)))
+            font = parse(bytes(view))
         except FontError:
             return grInvalidFont
         number = self._number(font.name)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from bgi.constants import EMPTY_FILL, USER_FILL, grError
 from bgi.graphics.pen import Pen
-from bgi.kernel.arguments import CHUNK, Number, Numbers, polygon_points, whole
+from bgi.kernel.arguments import CHUNK, Number, Numbers, length, polygon_points, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
@@ -212,7 +212,7 @@ class Filling(Pen):
 
 
 def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:
-    rows = [whole(f"pattern[{i}]", row) & 0xFF for i, row in enumerate(pattern)]
-    if len(rows) != 8:
-        raise ValueError(f"pattern must be 8 bytes, not {len(rows)}")
-    return bytes(rows)
+    count = length("pattern", pattern)
+    if count != 8:
+        raise ValueError(f"pattern must be 8 bytes, not {count}")
+    return bytes(whole(f"pattern[{i}]", row) & 0xFF for i, row in enumerate(pattern))

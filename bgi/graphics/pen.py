@@ -7,13 +7,14 @@ filled in the pattern that is set. All points here are absolute: the viewport's 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import chain
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bgi.graphics.screen import State
-from bgi.kernel.arguments import Numbers, broadcast, is_array, whole, whole_array
+from bgi.kernel.arguments import Numbers, in_chunks, is_array, whole, whole_array
 from bgi.raster import brush, lines, polygons, spans
 from bgi.raster.lines import Segment, Segments
 from bgi.raster.patterns import EMPTY_ROWS
@@ -39,9 +40,10 @@ class Pen(State):
         if color is not None:
             arguments["color"] = color
         if not any(is_array(value) for value in arguments.values()):
-            calls = [[whole(name, value) for name, value in arguments.items()]]
+            calls = iter([[whole(name, value) for name, value in arguments.items()]])
         else:
-            calls = np.stack(broadcast(**arguments), axis=-1).tolist()
+            parts = in_chunks(**arguments)
+            calls = chain.from_iterable(np.stack(part, axis=-1).tolist() for part in parts)
         before = self.settings.color
         try:
             for numbers in calls:
@@ -131,7 +133,8 @@ class Pen(State):
 
     def _colors(self, name: str, values: Numbers | None, default: int, count: int) -> NDArray[Any]:
         """A colour, as given, for each of `count` shapes."""
-        array = whole_array(name, default if values is None else values) & self._given_mask
+        given = whole_array(name, default if values is None else values) & self._given_mask
+        array = np.asarray(given, dtype=np.int64)  # masked, every colour fits
         if array.ndim == 0 or array.shape == (count,):
             return np.broadcast_to(array, count)
         raise ValueError(f"{name} must be a number or {count} numbers, not of shape {array.shape}")

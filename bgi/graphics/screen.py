@@ -13,7 +13,7 @@ from typing import Any
 from bgi.constants import SOLID_LINE, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
 from bgi.fonts.bitmap import CELL
 from bgi.fonts.chr import StrokedFont
-from bgi.kernel.arguments import Number, Numbers, broadcast, whole
+from bgi.kernel.arguments import Number, Numbers, broadcast, length, whole
 from bgi.kernel.modes import YASP, GraphicsMode
 from bgi.kernel.state import KERNEL
 from bgi.memory import rgb
@@ -32,6 +32,9 @@ from bgi.raster.patterns import (
     shifted_half,
 )
 from bgi.settings import Settings, palettetype, viewporttype
+
+MAX_ENTRIES = 256
+"""No palette has more; C's struct has its size before them."""
 
 _ENLARGEMENT_BITS = 31
 """The bits of a character size that count for the built-in font."""
@@ -266,8 +269,12 @@ class State:
 
     def setallpalette(self, palette: palettetype | Sequence[Number]) -> None:
         """Set the first entries of the palette, -1 leaving one; -11 where the adapter cannot."""
-        given = palette.colors[: palette.size] if isinstance(palette, palettetype) else palette
+        given = palette.colors if isinstance(palette, palettetype) else palette
+        if length("palette", given) > MAX_ENTRIES + 1:
+            raise ValueError(f"palette may hold {MAX_ENTRIES} colours at most")
         colors = [whole(f"palette[{i}]", color) for i, color in enumerate(given)]
+        if isinstance(palette, palettetype):
+            del colors[max(whole("palette.size", palette.size), 0) :]
         size = self.mode.colors
         if colors[:1] == [size] and len(colors) == size + 1:  # the struct as C lays it out
             del colors[0]

@@ -7,13 +7,14 @@ in order.
 """
 
 import operator
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.errors import brief
 from bgi.kernel.hints import for_argument
 
 Number = int | float | np.integer[Any] | np.floating[Any]
@@ -33,6 +34,15 @@ CHUNK = 8192
 """Elements worked on at a time: such arrays fit into the processor's cache."""
 
 
+MAX_NUMBERS = 1 << 24
+"""Numbers in an array, and calls that arrays ask for at once: as many as the largest window has
+pixels. An array may cost no memory and still stand for more (numpy.broadcast_to, a range)."""
+
+
+MAX_DIMENSIONS = 32
+"""Of an array: the least that a numpy of ours can take."""
+
+
 def whole(name: str, value: object) -> int:
     """One number as an int; TypeError or ValueError names the argument."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
@@ -43,10 +53,40 @@ def whole(name: str, value: object) -> int:
         pass
     if not isinstance(value, (float, np.floating)):
         hint = for_argument(name, value)
-        raise TypeError(f"{name} must be a number, not {type(value).__name__}: {value!r:.60}{hint}")
+        kind = type(value).__name__
+        raise TypeError(f"{name} must be a number, not {kind}: {brief(value)}{hint}")
     if not np.isfinite(value):
         raise ValueError(f"{name} must be a finite number, not {value!r}")
     return int(value)
+
+
+def flag(name: str, value: object) -> bool:
+    """Yes or no, as a bool or a number; TypeError or ValueError names the argument."""
+    return bool(value) if isinstance(value, np.bool_) else whole(name, value) != 0
+
+
+def length(name: str, values: object) -> int:
+    """How many numbers a sequence holds; TypeError names the argument if it is not one."""
+    if isinstance(values, (Sequence, bytearray, np.ndarray)) and not isinstance(values, str):
+        if isinstance(values, range):
+            return _range_length(values)
+        if not isinstance(values, np.ndarray) or values.ndim > 0:
+            return len(values)
+    kind = type(values).__name__
+    raise TypeError(f"{name} must be a sequence of numbers, not {kind}: {brief(values)}")
+
+
+def check_function(name: str, value: object) -> None:
+    """TypeError, which names the argument, for what can be neither called nor left out."""
+    if value is not None and not callable(value):
+        kind = type(value).__name__
+        raise TypeError(f"{name} must be a function or None, not {kind}: {brief(value)}")
+
+
+def check_text(name: str, value: object) -> None:
+    """TypeError, which names the argument, for anything but a str."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a str, not {type(value).__name__}: {brief(value)}")
 
 
 def real(name: str, value: object) -> int | float:
@@ -67,31 +107,63 @@ def is_array(value: object) -> bool:
 
 def whole_array(name: str, values: object) -> NDArray[Any]:
     """An array of whole numbers: int64, or Python ints (dtype object) where any reaches LIMIT."""
+    _check_count(name, _count(values))
     try:
         array = np.asarray(values)
     except ValueError:
         raise ValueError(f"{name} must be an array of numbers, all rows of one length") from None
+    if array.ndim > MAX_DIMENSIONS:
+        raise ValueError(f"{name} may have {MAX_DIMENSIONS} dimensions, not {array.ndim}")
     if array.size == 0:
         return np.zeros(array.shape, dtype=np.int64)
     if array.dtype.kind not in "biufO":
-        raise TypeError(f"{name} must hold numbers, not {array.dtype}: {values!r:.60}")
+        raise TypeError(f"{name} must hold numbers, not {array.dtype}: {brief(values)}")
+    if array.dtype == np.float16:  # which cannot be compared with LIMIT
+        array = array.astype(np.float32)
     if array.dtype != object and array.min() > -LIMIT and array.max() < LIMIT:
         return array.astype(np.int64, copy=False)
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        whole(name, array[~np.isfinite(array)][0])
     numbers = [whole(name, item) for item in array.ravel().tolist()]
     fits = all(abs(number) < LIMIT for number in numbers)
     return np.array(numbers, dtype=np.int64 if fits else object).reshape(array.shape)
+
+
+def _count(values: object) -> int:
+    """How many numbers there are in an array, or in sequences within each other."""
+    count, ranges = 1, 0
+    while isinstance(values, (list, tuple)) and values and count <= MAX_NUMBERS:
+        count *= len(values)
+        ranges = max([ranges, *(_range_length(one) for one in values if type(one) is range)])
+        values = values[0]
+    if isinstance(values, range):
+        ranges = max(ranges, _range_length(values))
+    return count * (values.size if isinstance(values, np.ndarray) else max(ranges, 1))
+
+
+def _range_length(values: range) -> int:
+    """The length of a range: MAX_NUMBERS + 1 stands for all that is too long, also for len()."""
+    return len(values[: MAX_NUMBERS + 1])
+
+
+def _check_count(name: str, count: int) -> None:
+    """ValueError, which names the argument, for more numbers than a call takes."""
+    if count > MAX_NUMBERS:
+        raise ValueError(f"{name} may hold {MAX_NUMBERS:,} numbers at most in one call")
 
 
 def broadcast(**arguments: object) -> list[NDArray[Any]]:
     """The arguments as flat arrays of one length; ValueError if their shapes do not match."""
     arrays = [whole_array(name, value) for name, value in arguments.items()]
     try:
-        return [array.ravel() for array in np.broadcast_arrays(*arrays)]
+        together = np.broadcast_arrays(*arrays)
     except ValueError:
         shapes = ", ".join(
             f"{name} {array.shape}" for name, array in zip(arguments, arrays, strict=True)
         )
         raise ValueError(f"the arrays do not go together: {shapes}") from None
+    _check_count(", ".join(arguments), together[0].size)
+    return [array.ravel() for array in together]
 
 
 def in_chunks(**arguments: object) -> Iterator[list[NDArray[Any]]]:
@@ -108,8 +180,8 @@ def polygon_points(points: object, flat: object) -> list[tuple[int, int]] | NDAr
     as in C the number of points followed by a flat list.
     """
     if flat is not None:
-        count = whole("numpoints", points)
-        numbers = whole_array("polypoints", flat).ravel().tolist()
+        count = whole("points", points)
+        numbers = whole_array("flat", flat).ravel().tolist()
         if not 0 <= 2 * count <= len(numbers):
             raise ValueError(f"{count} points need {2 * count} numbers, not {len(numbers)}")
         return list(zip(numbers[0 : 2 * count : 2], numbers[1 : 2 * count : 2], strict=True))

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.errors import brief
 from bgi.memory.imagefile import png
 from bgi.memory.palette import DEFAULTS
 
@@ -44,7 +45,7 @@ def _plane_bytes(width: int, colors: int) -> int:
 def _check_colors(colors: object) -> None:
     if type(colors) is not int or colors not in _LAYOUTS:
         known = ", ".join(map(str, _LAYOUTS))
-        raise ValueError(f"an image has one of {known} colours, not {colors!r:.60}")
+        raise ValueError(f"an image has one of {known} colours, not {brief(colors)}")
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.errors import brief
 from bgi.memory import gif, jpeg
 from bgi.memory.matching import shown
 from bgi.memory.sdl import pygame, quietly
@@ -96,7 +97,7 @@ def path_of(filename: Filename) -> Path:
         return Path(os.fsdecode(os.fspath(filename)))
     except TypeError:
         raise TypeError(
-            f"filename must be a str or a path, not {type(filename).__name__}: {filename!r:.60}"
+            f"filename must be a str or a path, not {type(filename).__name__}: {brief(filename)}"
         ) from None
 
 

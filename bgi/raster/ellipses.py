@@ -69,7 +69,10 @@ def _steps(rx: int, ry: int) -> Iterator[Offset]:
         y, error, dv = y - 1, error - v, v - q
 
 
-@lru_cache(maxsize=128)
+REMEMBERED = 1024
+"""The largest radius of a curve whose points are kept."""
+
+
 def quadrant(rx: int, ry: int) -> list[Offset]:
     """The stepper's points of one quadrant (x right, y up), radii 0 taken as 1; else empty.
 
@@ -77,7 +80,15 @@ def quadrant(rx: int, ry: int) -> list[Offset]:
     """
     if not drawable(rx, ry):
         return []
-    return list(_steps(max(rx, 1), max(ry, 1)))
+    find = _known_steps if max(rx, ry) <= REMEMBERED else _all_steps
+    return find(max(rx, 1), max(ry, 1))
+
+
+def _all_steps(rx: int, ry: int) -> list[Offset]:
+    return list(_steps(rx, ry))
+
+
+_known_steps = lru_cache(maxsize=128)(_all_steps)
 
 
 def drawable(rx: int, ry: int) -> bool:
@@ -129,13 +140,20 @@ class Outline(NamedTuple):
     """How far it reaches, all offsets from the centre; nothing for an empty one."""
 
 
-@lru_cache(maxsize=256)
 def outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
     """A thin curve from angle to angle, for a page of that width."""
+    find = _known_outline if rx <= REMEMBERED and ry <= REMEMBERED else _outline
+    return find(start, end, rx, ry, width)
+
+
+def _outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
     points = np.array(arc(start, end, rx, ry), dtype=np.int64).reshape(-1, 2)
     dx, dy = points.T
     reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
     return Outline(dx, dy, dy * width + dx, *map(int, reach))
+
+
+_known_outline = lru_cache(maxsize=256)(_outline)
 
 
 def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:

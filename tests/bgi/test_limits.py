@@ -1,0 +1,221 @@
+"""What is too large or too strange is refused at once, by the name of its argument."""
+
+import sys
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import bgi
+from bgi import dos, mouse
+from bgi.errors import brief
+from bgi.fonts import bitmap, codepage, layout
+from bgi.graphics import Graphics
+from bgi.kernel.arguments import MAX_DIMENSIONS, MAX_NUMBERS
+from bgi.raster import ellipses
+
+BILLION = 10**9
+MANY = [
+    np.broadcast_to(np.int64(5), BILLION),  # which takes no memory
+    np.broadcast_to(np.float32(5), (BILLION, 1, 2)),
+    range(BILLION),
+    range(10**30),
+    [range(BILLION)],
+    [[1], range(BILLION)],
+]
+TOO_MANY = r"may hold 16,777,216 numbers at most in one call$"
+
+
+@pytest.fixture(autouse=True)
+def _on_vga() -> None:
+    bgi.initgraph(bgi.VGA, bgi.VGAHI)
+
+
+# How many numbers
+
+
+@pytest.mark.parametrize("many", MANY, ids=brief)
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        ("x", lambda many: bgi.putpixel(many, 1, 1)),
+        ("y", lambda many: bgi.getpixel(1, many)),
+        ("color", lambda many: bgi.line(1, 1, 2, 2, many)),
+        ("bottom", lambda many: bgi.bar(1, 1, 2, many)),
+        ("radius", lambda many: bgi.circle(1, 1, many)),
+        ("points", lambda many: bgi.drawpoly(many)),
+        ("flat", lambda many: bgi.fillpoly(3, many)),
+        ("fill", lambda many: bgi.fillpoly(np.zeros((1, 3, 2)), fill=many)),
+        ("red", lambda many: bgi.setrgbpalette(1, many, 1, 1)),
+    ],
+)
+def test_arrays_of_a_billion(name: str, call: Callable[[object], object], many: object) -> None:
+    with pytest.raises(ValueError, match=rf"^{name} {TOO_MANY}"):
+        call(many)
+
+
+def test_arrays_that_are_a_billion_together() -> None:
+    across, down = np.zeros((1, 40_000)), np.zeros((40_000, 1))
+    with pytest.raises(ValueError, match=f"^x, y, color {TOO_MANY}"):
+        bgi.putpixel(across, down, 1)
+
+
+def test_as_many_as_the_largest_window_has_are_taken() -> None:
+    assert MAX_NUMBERS == bgi.api.windows.MAX_SIDE**2
+    bgi.putpixel(np.broadcast_to(np.int64(5), MAX_NUMBERS), 7, bgi.RED)
+    assert bgi.getpixel(5, 7) == bgi.RED
+
+
+@pytest.mark.parametrize("pattern", [range(BILLION), bytes(9), [1] * 7, np.zeros(BILLION // 100)])
+def test_a_pattern_of_another_length(pattern: object) -> None:
+    before = bgi.getfillpattern(), bgi.getfillsettings()
+    with pytest.raises(ValueError, match=r"^pattern must be 8 bytes, not \d+$"):
+        bgi.setfillpattern(pattern, 1)
+    assert (bgi.getfillpattern(), bgi.getfillsettings()) == before
+
+
+@pytest.mark.parametrize("palette", [range(BILLION), [1] * 258, np.zeros(1000)])
+def test_a_palette_of_too_many(palette: object) -> None:
+    before = bgi.getpalette()
+    with pytest.raises(ValueError, match=r"^palette may hold 256 colours at most$"):
+        bgi.setallpalette(palette)
+    assert bgi.getpalette() == before
+
+
+# Dimensions and kinds
+
+
+def test_dimensions() -> None:
+    most = np.full((1,) * MAX_DIMENSIONS, 5)
+    bgi.putpixel(most, 6, bgi.RED)
+    assert bgi.getpixel(5, 6) == bgi.RED
+    deeper: object = 5
+    for _ in range(MAX_DIMENSIONS + 1):
+        deeper = [deeper]
+    with pytest.raises(ValueError, match=r"^y m"):  # how many a numpy can make at all differs
+        bgi.putpixel(1, deeper, 1)
+
+
+@pytest.mark.filterwarnings("error")
+def test_half_precision() -> None:
+    bgi.putpixel(np.array([3, 300], np.float16), np.float16(9.9), bgi.RED)
+    assert [bgi.getpixel(x, 9) for x in (3, 300)] == [bgi.RED, bgi.RED]
+    for value in ("nan", "inf", "-inf"):
+        with pytest.raises(ValueError, match=r"^x must be a finite number"):
+            bgi.putpixel(np.array([1, value], np.float16), 1, 1)
+        with pytest.raises(ValueError, match=r"^x must be a finite number"):
+            bgi.moveto(np.float16(value), 1)
+
+
+# Wrong kinds of arguments are named
+
+
+@pytest.mark.parametrize(
+    "value", [72, None, "12345678", {}, 2.5, object(), np.array(5), iter("ab")]
+)
+def test_what_is_no_sequence(value: object) -> None:
+    with pytest.raises(TypeError, match=r"^pattern must be a sequence of numbers, not "):
+        bgi.setfillpattern(value, 1)
+    with pytest.raises(TypeError, match=r"^palette must be a sequence of numbers, not "):
+        bgi.setallpalette(value)
+
+
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        ("palette.size", lambda: bgi.setallpalette(bgi.palettetype("1", [1]))),
+        ("palette", lambda: bgi.setallpalette(bgi.palettetype(1, None))),
+        ("font", lambda: bgi.registerbgifont(3)),
+        ("on", lambda: bgi.strict(np.zeros(2))),
+        ("status", lambda: bgi.setmousequeuestatus(bgi.WM_MOUSEMOVE, "no")),
+        ("handler", lambda: bgi.registermousehandler(bgi.WM_MOUSEMOVE, 5)),
+        ("handler", lambda: mouse.on_event(1, "f")),
+        ("detect", lambda: bgi.installuserdriver("MINE", 5)),
+        ("points", lambda: bgi.drawpoly([1, 2], [1, 2])),
+        ("flat", lambda: bgi.drawpoly(1, "1 2")),
+    ],
+)
+def test_an_argument_of_the_wrong_kind(name: str, call: Callable[[], object]) -> None:
+    with pytest.raises(TypeError, match=f"^{name} must "):
+        call()
+
+
+@pytest.mark.parametrize("name", ["width", "title", "dbflag", "closeflag"])
+def test_a_window_that_is_refused_changes_nothing(name: str) -> None:
+    bgi.putpixel(1, 1, bgi.RED)
+    before = bgi.getcurrentwindow()
+    with pytest.raises(TypeError, match=f"^{name} must be a "):
+        bgi.initwindow(**{"width": 99, "height": 99} | {name: np.zeros(2)})
+    assert (bgi.getcurrentwindow(), bgi.getmaxx(), bgi.getpixel(1, 1)) == (before, 639, bgi.RED)
+
+
+def test_numbers_too_long_to_be_written() -> None:
+    digits = sys.get_int_max_str_digits()
+    for call in (dos.random, dos.bioskey, bgi.conio.ungetch, mouse.presses, bgi.ismouseclick):
+        with pytest.raises(ValueError, match=r"must be .* not <a whole number of \d+ bits>$"):
+            call(-(10 ** (digits + 1)))
+    assert brief([10**5000]) == "[<a whole number of 16610 bits>]"
+    assert len(brief("x" * 10**6)) == 60
+
+
+# Colours of many polygons
+
+
+@pytest.mark.parametrize("polygons", [1, 2])
+def test_one_color_beyond_int64_for_many_polygons(polygons: int) -> None:
+    triangle = [(10, 10), (60, 10), (30, 50)]
+    bgi.initwindow(99, 99)
+    bgi.fillpoly([triangle] * polygons, fill=bgi.COLOR(1, 2, 3), color=bgi.COLOR(4, 5, 6))
+    assert bgi.getpixel(30, 20) == bgi.COLOR(1, 2, 3)
+    assert bgi.getpixel(30, 10) == bgi.COLOR(4, 5, 6)
+    bgi.setcolor(bgi.COLOR(7, 8, 9))
+    bgi.setfillstyle(bgi.SOLID_FILL, bgi.COLOR(9, 9, 9))
+    bgi.fillpoly([triangle] * polygons)
+    assert bgi.getpixel(30, 20) == bgi.COLOR(9, 9, 9)
+    bgi.cleardevice()
+    bgi.drawpoly([triangle] * polygons)
+    assert bgi.getpixel(30, 10) == bgi.COLOR(7, 8, 9)
+
+
+def test_a_color_of_more_bits_than_the_mode_has(vga: Graphics) -> None:
+    vga.drawpoly([[(10, 10), (60, 10)]], color=1 << 70 | bgi.RED)
+    assert vga.getpixel(30, 10) == bgi.RED
+
+
+# Texts
+
+
+def test_a_stroked_text_has_a_length() -> None:
+    bgi.settextstyle(bgi.GOTHIC_FONT, 0, 4)
+    text = "i" * (layout.MAX_CHARACTERS + 1)
+    for call in (bgi.outtext, bgi.textwidth, lambda text: bgi.outtextxy(1, 1, text)):
+        with pytest.raises(ValueError, match=r"^text may have 65,536 characters at most in a str"):
+            call(text)
+    assert bgi.getx() == 0
+    assert bgi.textwidth(text[1:]) == layout.MAX_CHARACTERS * bgi.textwidth("i")
+
+
+def test_the_built_in_font_has_none() -> None:
+    text = "x" * 10**7
+    assert bgi.textwidth(text) == 8 * 10**7
+    bgi.outtextxy(0, 0, text)
+    first, last = bgi.getimage(0, 0, 7, 7), bgi.getimage(632, 0, 639, 7)
+    assert first.array.any() and (first.array == last.array).all()
+
+
+@pytest.mark.parametrize(
+    ("cache", "call"),
+    [
+        (codepage._remembered, lambda: bgi.textwidth("x" * 81)),
+        (layout._known_width, lambda: bgi.textwidth("x" * 81)),
+        (layout._remembered, lambda: bgi.outtextxy(0, 0, "x" * 81)),
+        (bitmap._remembered, lambda: bitmap.mask(b"x" * 80, 4, 4)),
+        (ellipses._known_outline, lambda: bgi.circle(1, 1, 1025)),
+        (ellipses._known_steps, lambda: bgi.fillellipse(1, 1, 5, 1025)),
+    ],
+)
+def test_what_is_large_is_not_kept(cache: object, call: Callable[[], object]) -> None:
+    bgi.settextstyle(bgi.GOTHIC_FONT, 0, 4)
+    cache.cache_clear()  # type: ignore[attr-defined]
+    call()
+    assert cache.cache_info().currsize == 0  # type: ignore[attr-defined]
