@@ -21,7 +21,8 @@ from surfaces.animation import PillowMissing, save_gif
 from surfaces.explorer import Explorer, explore
 from surfaces.formulas import FormulaError, formula
 from surfaces.modes import MODES
-from surfaces.plot import Plot, parametric, surface
+from surfaces.plot import parametric, surface
+from surfaces.scene import Plot
 from surfaces.shape.fields import FIELDS
 from surfaces.shape.figures import FIGURES, Figure
 from surfaces.shape.grid import Grid, data, sample

@@ -8,25 +8,22 @@ All that happens to a point between f and the pixel is one product with one 4x4 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
 from math import pi
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from surfaces import checks
-from surfaces.arrays import Box, Doubles, middle
+from surfaces.arrays import Box, Doubles
 from surfaces.formulas import formula
 from surfaces.look import Look, Stage
 from surfaces.modes import MODES, draw, draw_contours, draw_floor
+from surfaces.scene import Plot
 from surfaces.shape.fields import Color, fields
 from surfaces.shape.grid import Grid, in_order
 from surfaces.shape.sampling import Axis, Function, Interval, Table, is_table, real
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
-from surfaces.space.transforms import Point, apply
-from surfaces.space.view import View
 from surfaces.systems.colors import Ramp
 from surfaces.systems.pen import System
 from surfaces.ticks import ticks
@@ -39,57 +36,6 @@ Levels = int | Sequence[float]
 BLANK = "nothing of the surface can be seen: each of its cells has a corner without a value"
 DOMAIN = (-3.0, 3.0)
 """Where a formula is drawn, unless told otherwise."""
-
-
-@dataclass(frozen=True)
-class Plot:
-    """A surface as it was drawn: where its points are on the screen, and back."""
-
-    mapping: Projection
-    """From space to the screen."""
-    transform: Doubles
-    """4x4: from (x, y, z) of the surface to that space, fit and turn in one."""
-    scales: Point
-    """Pixels for a unit of the surface's x, y and z, along the arrows of the mapping."""
-    box: Box
-    """The lowest and the highest corner of the surface: (3,) each, in its own x, y and z."""
-    limits: Interval
-    """The values that the first and the last colour stand for."""
-    picture: Picture
-    """What was drawn."""
-
-    @property
-    def view(self) -> View:
-        """The way of points (x, y, z) to the screen in one matrix, and the eye's direction."""
-        return View.of(self.transform, self.mapping)
-
-    def project(self, points: ArrayLike) -> Doubles:
-        """Where points (x, y, z), shape (..., 3), appear: the paper's triples (x', y', z)."""
-        return apply(self._around(points), self.picture.view.screen)
-
-    def unproject(self, triples: ArrayLike) -> Doubles:
-        """The points (x, y, z) of triples (x', y', z), shape (..., 3)."""
-        return apply(triples, self.picture.view.back) + middle(self.box)
-
-    def depth(self, points: ArrayLike) -> Doubles:
-        """How near points (..., 3) are: of two on one pixel, the greater number is the nearer."""
-        return self.picture.view.nearness(self._around(points))
-
-    def _around(self, points: ArrayLike) -> Doubles:
-        """Points as the picture counts them, from the middle of the box."""
-        return np.asarray(points, dtype=np.float64) - middle(self.box)
-
-    def pick(self, px: float, py: float) -> Point | None:
-        """The nearest point (x, y, z) of the surface seen at a pixel, or None beside it.
-
-        It maps back to the pixel, to half a pixel at the surface's outline. None, too, for a
-        surface seen on its edge, narrower than two pixels.
-        """
-        point = self.picture.pick(px, py)
-        if point is None:
-            return None
-        x, y, z = (point + middle(self.box)).tolist()
-        return x, y, z
 
 
 def surface(

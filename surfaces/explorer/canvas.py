@@ -26,7 +26,7 @@ from bgi import (
 )
 from surfaces.explorer.options import Options
 from surfaces.explorer.panel import PANEL
-from surfaces.plot import Plot
+from surfaces.scene import Plot
 from surfaces.space.transforms import Point
 
 NEAR, FAR = 3, 10

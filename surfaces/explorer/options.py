@@ -5,7 +5,8 @@ from math import radians
 
 from surfaces.arrays import Doubles
 from surfaces.formulas import formula
-from surfaces.plot import Plot, surface
+from surfaces.plot import surface
+from surfaces.scene import Plot
 from surfaces.shape.grid import Grid, sample
 from surfaces.shape.sampling import Interval
 from surfaces.space.mapping import Mapping, Projection

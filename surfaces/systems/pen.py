@@ -131,6 +131,12 @@ class Pen:
         """The current drawing colour; WHITE, where a system has no such thing."""
         return int(self.system.getcolor()) if self._has("getcolor") else self.ink(WHITE)
 
+    def shown_as(self, kind: str) -> Any:
+        """What the system shows of itself in a notebook, as "png" or "svg"; None if it does not."""
+        screen = bgi.current.screen if self.system is bgi else self.system
+        show = getattr(screen, f"_repr_{kind}_", None)
+        return show() if show else None
+
     def ink(self, color: int) -> int:
         """One of graphics.h's sixteen colours, or the largest that the system has."""
         return min(color, self.colors - 1)

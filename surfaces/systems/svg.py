@@ -109,6 +109,10 @@ class Svg:
             )
         )
 
+    def _repr_svg_(self) -> str:
+        """The drawing for notebooks."""
+        return str(self)
+
     def save(self, path: str | Path) -> None:
         """Write the drawing to a file."""
         document = str(self).encode()  # before an old file is emptied

@@ -26,13 +26,14 @@ class DepthBuffer:
     """The nearest colour for every pixel of the screen."""
 
     def __init__(self, pen: Pen, palette: Palette, cells: Cells) -> None:
-        """Offer cells, one at least, to the pixels that they cover."""
+        """Offer cells to the pixels that they cover."""
         self._pen, self._palette, self._view = pen, palette, cells.view
         self._nearest = np.full(pen.width * pen.height, -1, dtype=np.int64)
         near = self._view.nearness(cells.nodes)[cells.corners]
         # A perspective divides by depths: there, zero is what is infinitely far away.
-        self._farthest = float(near.min()) if self._view.parallel else 0.0
-        self._range = float(near.max()) - self._farthest or 1.0
+        low, high = (float(near.min()), float(near.max())) if near.size else (0.0, 1.0)
+        self._farthest = low if self._view.parallel else 0.0
+        self._range = high - self._farthest or 1.0
         screen = cells.screen
         self._add(screen, self._depth(near), cells.values[cells.corners], cells.under(screen))
 
@@ -104,6 +105,16 @@ class DepthBuffer:
             left = np.where(meets, np.fmin(left, crossing), left)
             far = np.where(meets, np.fmax(far, crossing), far)
         return row, owner, left, far
+
+    def shows(self, points: Doubles) -> Bools:
+        """Which points (m, 3) are on the screen and not behind a cell.
+
+        On a steep cell the depth changes much within a pixel. So a point counts as behind it only
+        if it is so by a hundredth of the way from the farthest cell to the nearest.
+        """
+        near = self._view.nearness(points)
+        shown = ~self.hides(points, near + self._range / 100)
+        return shown if self._view.parallel else shown & (near > 0)  # and not behind the eye
 
     def hides(self, points: Doubles, nearest: Doubles) -> Bools:
         """Whether a cell nearer than `nearest`, (m,) of `View.nearness`, is seen at points (m, 3).

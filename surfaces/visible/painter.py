@@ -10,6 +10,7 @@ Holes, facets, several surfaces, parametric ones, and drawings made of polygons 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -54,6 +55,11 @@ class Picture(ABC):
     def view(self) -> View:
         """How it is seen."""
         return self.easel.view
+
+    @cached_property
+    def depths(self) -> DepthBuffer:
+        """How near to the eye it is at every pixel."""
+        return DepthBuffer(self.easel.pen, self.easel.palette, self.cells())
 
     @abstractmethod
     def cells(self, every: int = 1) -> Cells:

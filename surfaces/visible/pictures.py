@@ -11,7 +11,6 @@ from surfaces.shape.fields import Field
 from surfaces.shape.grid import Grid
 from surfaces.shape.sheet import Sheet
 from surfaces.space.transforms import apply
-from surfaces.visible.depth import DepthBuffer
 from surfaces.visible.horizon import Horizon
 from surfaces.visible.order import Cells, cells_of_grids, cells_of_points
 from surfaces.visible.painter import Picture, mesh_lines
@@ -53,11 +52,6 @@ class HeightPicture(Picture):
         """Parts of cells at the rims of holes."""
         found = [g.rim.triangles(g.points.reshape(-1, 3)) for g in self.grids if g.rim is not None]
         return Triangles.of(np.concatenate([np.zeros((0, 3, 3)), *found]), self.view)
-
-    @cached_property
-    def depths(self) -> DepthBuffer:
-        """How near to the eye the surfaces are at every pixel, for a perspective, too."""
-        return DepthBuffer(self.easel.pen, self.easel.palette, self.cells())
 
     @cached_property
     def triangles(self) -> Triangles:
