@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from surfaces import checks
-from surfaces.arrays import Box, Doubles, middle
-from surfaces.shape.sampling import Interval
+from surfaces.arrays import Box, Doubles, corners, middle
+from surfaces.shape.sampling import Function, Interval
+from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
+from surfaces.space.perspective import check_in_front
 from surfaces.space.transforms import Point, apply
 from surfaces.space.view import View
-from surfaces.visible import marks
+from surfaces.visible import marks, painter
 from surfaces.visible.painter import Picture
+from surfaces.visible.pictures import Scene, SheetPicture
 
 
 @dataclass(frozen=True)
@@ -50,6 +55,40 @@ class Plot:
     def depth(self, points: ArrayLike) -> Doubles:
         """How near points (..., 3) are: of two on one pixel, the greater number is the nearer."""
         return self.picture.view.nearness(self._around(points))
+
+    def parametric(
+        self,
+        f: Callable[[Any, Any], Any],
+        u: Interval,
+        v: Interval,
+        n: int | tuple[int, int] = 100,
+        color: str | Function = "z",
+    ) -> Plot:
+        """Add the surface (x, y, z) = f(u, v) to the scene, each hidden where the other is nearer.
+
+        It is filled, each pixel by its depth, in the colours that the plot's numbers have. (In an
+        `Svg` whole cells are shown or hidden.) The picture's size was chosen without it.
+
+        Args:
+            f: A function of two arrays that returns three: x, y and z.
+            u: The domain, (a, b) with a < b.
+            v: The same for v.
+            n: Cells in each direction, or (nu, nv).
+            color: What the colours show: "z", or a function of u and v.
+
+        Returns:
+            A `Plot` of both, for `pick`, `points` and whatever is added next.
+
+        Raises:
+            ValueError: for arguments out of range; nothing is drawn then.
+        """
+        sheet = Sheet.sample(f, u, v, n)
+        shown, origin = sheet.field(color).scaled(self.limits), middle(self.box)
+        easel = self.picture.easel
+        check_in_front(corners(sheet.box) - origin, easel.view.screen)
+        added = SheetPicture(easel, sheet.around(origin), shown)
+        painter.add(added, self.picture)
+        return replace(self, picture=Scene(easel, (self.picture, added)))
 
     def points(self, points: ArrayLike, color: int | None = None, size: int = 2) -> None:
         """Mark points (x, y, z), shape (..., 3), with small squares, where no surface hides them.

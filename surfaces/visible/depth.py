@@ -25,17 +25,23 @@ maximum finds the nearest and its colour."""
 class DepthBuffer:
     """The nearest colour for every pixel of the screen."""
 
-    def __init__(self, pen: Pen, palette: Palette, cells: Cells) -> None:
-        """Offer cells to the pixels that they cover."""
+    def __init__(
+        self, pen: Pen, palette: Palette, cells: Cells, drawn: Cells | None = None
+    ) -> None:
+        """Offer cells to the pixels that they cover; those `drawn` are on the screen already."""
         self._pen, self._palette, self._view = pen, palette, cells.view
         self._nearest = np.full(pen.width * pen.height, -1, dtype=np.int64)
-        near = self._view.nearness(cells.nodes)[cells.corners]
+        parts = [cells] if drawn is None else [drawn, cells]
+        depths = [self._view.nearness(part.nodes)[part.corners] for part in parts]
+        near = np.concatenate(depths)
         # A perspective divides by depths: there, zero is what is infinitely far away.
         low, high = (float(near.min()), float(near.max())) if near.size else (0.0, 1.0)
         self._farthest = low if self._view.parallel else 0.0
         self._range = high - self._farthest or 1.0
-        screen = cells.screen
-        self._add(screen, self._depth(near), cells.values[cells.corners], cells.under(screen))
+        for part, depth in zip(parts, depths, strict=True):
+            self._drawn = self._nearest.copy()
+            screen = part.screen
+            self._add(screen, self._depth(depth), part.values[part.corners], part.under(screen))
 
     def _depth(self, near: Doubles) -> Doubles:
         """How near points are, from 0 to 1."""
@@ -129,8 +135,8 @@ class DepthBuffer:
         return hidden
 
     def draw(self) -> None:
-        """Set each pixel to the nearest colour."""
-        place = np.flatnonzero(self._nearest >= 0)
+        """Set each pixel to the nearest colour, unless what is drawn already is nearer."""
+        place = np.flatnonzero(self._nearest > self._drawn)
         y, x = np.divmod(place, self._pen.width)
         self._pen.pixels(x, y, self._nearest[place] & 255)
 

@@ -9,7 +9,7 @@ Holes, facets, several surfaces, parametric ones, and drawings made of polygons 
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -82,6 +82,18 @@ def fill(picture: Picture) -> None:
         _paint(easel, cells, BACKGROUND)
         return
     DepthBuffer(easel.pen, easel.palette, cells).draw()
+
+
+def add(picture: Picture, drawn: Picture) -> None:
+    """Fill one surface into the picture of another, each hidden where the other is nearer."""
+    easel, cells = picture.easel, picture.cells()
+    easel.load_palette()
+    if easel.pen.vector:  # whole cells, by their middles
+        middles = cells.nodes[cells.corners].mean(axis=1)
+        shown = drawn.depths.shows(middles)
+        _paint(easel, replace(cells, corners=cells.corners[shown]), BACKGROUND)
+    else:
+        DepthBuffer(easel.pen, easel.palette, cells, drawn.cells()).draw()
 
 
 def mesh(picture: Picture) -> None:

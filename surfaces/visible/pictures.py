@@ -111,3 +111,29 @@ class SheetPicture(Picture):
     def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""
         return nearest(self._triangles.near(px, py).points_at(px, py), self.view)
+
+
+@dataclass(frozen=True)
+class Scene(Picture):
+    """A picture to which another surface has been added."""
+
+    parts: tuple[Picture, Picture]
+
+    def cells(self, every: int = 1) -> Cells:
+        """The cells of both, by the depth of their middles."""
+        one, other = (part.cells(every) for part in self.parts)
+        nodes = np.concatenate((one.nodes, other.nodes))
+        corners = np.concatenate((one.corners, other.corners + len(one.nodes)))
+        order = np.argsort(self.view.nearness(nodes)[corners].mean(axis=1), kind="stable")
+        values = np.concatenate((one.values, other.values))
+        return Cells(nodes, values, corners[order], self.view)
+
+    def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
+        """All lines of both meshes on the screen."""
+        for part in self.parts:
+            yield from part.wires()
+
+    def pick(self, px: float, py: float) -> Doubles | None:
+        """The nearest point (x, y, z) of both at a pixel, or None."""
+        found = [part.pick(px, py) for part in self.parts]
+        return nearest([point for point in found if point is not None], self.view)
