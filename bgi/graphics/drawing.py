@@ -88,12 +88,14 @@ class Drawing(Pen):
         ):
             dx, dy = self._dx, self._dy
             self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
-        elif any(is_array(value) for value in (x1, y1, x2, y2, color)):
+        elif is_array(x1) or is_array(y1) or is_array(x2) or is_array(y2) or is_array(color):
             shade = self.settings.color if color is None else color
             ends = broadcast(x1=x1, y1=y1, x2=x2, y2=y2, color=shade)
             dx, dy = self._dx, self._dy
             x1, y1, x2, y2, colors = ends
             self._segments((x1 + dx, y1 + dy, x2 + dx, y2 + dy), self._index(colors))
+        elif color is None:
+            self.line(whole("x1", x1), whole("y1", y1), whole("x2", x2), whole("y2", y2))
         else:
             self._each(self.line, x1=x1, y1=y1, x2=x2, y2=y2, color=color)
 

@@ -9,6 +9,7 @@ in order.
 import operator
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -45,6 +46,8 @@ MAX_DIMENSIONS = 32
 
 def whole(name: str, value: object) -> int:
     """One number as an int; TypeError or ValueError names the argument."""
+    if type(value) is float and isfinite(value):  # the commonest after ints, which callers see to
+        return int(value)
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     try:
@@ -98,8 +101,14 @@ def real(name: str, value: object) -> int | float:
     return whole(name, value)
 
 
+_ONE_NUMBER = frozenset((int, float, np.int64, np.float64, type(None)))
+"""The commonest types that are no arrays: known at one look, without a chain of isinstance()."""
+
+
 def is_array(value: object) -> bool:
     """Whether an argument asks for the array form of a call."""
+    if type(value) in _ONE_NUMBER:
+        return False
     return isinstance(value, (list, tuple, range)) or (
         isinstance(value, np.ndarray) and value.ndim > 0
     )

@@ -117,7 +117,7 @@ class Headless:
             self._pass_until(later if later < math.inf else self.now)
 
     def _rest_in_vain(self) -> None:
-        """Let a program rest that asks only for what never comes: a key, a click; nor does an end."""
+        """Let a program rest that asks only for what never comes: keys, clicks, nor an end."""
         never = min(self._time.next_key(), self._plan.after) == math.inf
         if never and self._idling is not None and self._idling.count_question():
             time.sleep(REST_SECONDS)

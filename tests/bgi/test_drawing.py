@@ -1,5 +1,6 @@
 """Points, lines and outlines: small pictures, spelt out."""
 
+import numpy as np
 import pytest
 
 from bgi.kernel.state import KERNEL
@@ -138,3 +139,22 @@ def test_getlinesettings(vga, given, kept):
     assert vga.getlinesettings() == linesettingstype(*kept)
     vga.getlinesettings().thickness = 3  # a copy
     assert vga.getlinesettings() == linesettingstype(*kept)
+
+
+@pytest.mark.parametrize("number", [float, np.float32, np.float64, np.int64, np.int16])
+def test_every_type_of_number_draws_as_the_int_does(vga, number):
+    vga.line(-2, 3, 90, 40)
+    vga.putpixel(5, 7, 3)
+    expected = vga.page.array.copy()
+    vga.cleardevice()
+    vga.line(number(-2), number(3), number(90), number(40))
+    vga.putpixel(number(5), number(7), number(3))
+    np.testing.assert_array_equal(vga.page.array, expected)
+
+
+@pytest.mark.parametrize("bad", [float("nan"), float("inf"), np.float64("-inf")])
+def test_a_number_that_is_not_finite_is_refused_by_its_name(vga, bad):
+    with pytest.raises(ValueError, match="y1 must be a finite number"):
+        vga.line(1, bad, 3, 4)
+    with pytest.raises(ValueError, match="color must be a finite number"):
+        vga.putpixel(1, 2, bad)
