@@ -12,6 +12,7 @@ from bgi.errors import brief
 from bgi.fonts import bitmap, codepage, layout
 from bgi.graphics import Graphics
 from bgi.kernel.arguments import MAX_DIMENSIONS, MAX_NUMBERS
+from bgi.memory.card import MAX_SIDE
 from bgi.raster import ellipses
 
 BILLION = 10**9
@@ -61,7 +62,7 @@ def test_arrays_that_are_a_billion_together() -> None:
 
 
 def test_as_many_as_the_largest_window_has_are_taken() -> None:
-    assert MAX_NUMBERS == bgi.api.windows.MAX_SIDE**2
+    assert MAX_NUMBERS == MAX_SIDE**2
     bgi.putpixel(np.broadcast_to(np.int64(5), MAX_NUMBERS), 7, bgi.RED)
     assert bgi.getpixel(5, 7) == bgi.RED
 
