@@ -98,8 +98,10 @@ def choose(
 
 @functools.cache  # once is enough
 def _say_that_there_is_no_window(reason: str) -> None:
+    x11 = sys.platform not in ("win32", "darwin")
+    advice = "for a window set DISPLAY or use ssh -X; " if x11 else ""
     print(
         f"bgi: {reason}; drawing goes on without a window "
-        "(for a window set DISPLAY or use ssh -X; BGI_MONITOR=none silences this line)",
+        f"({advice}BGI_MONITOR=none silences this line)",
         file=sys.stderr,
     )

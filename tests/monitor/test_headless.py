@@ -103,6 +103,19 @@ def test_without_a_display_one_line_says_so(
         assert word in err
 
 
+@pytest.mark.parametrize("platform", ["win32", "darwin"])
+def test_without_a_window_only_x11_is_told_of_x11(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], platform: str
+) -> None:
+    monkeypatch.setattr("sys.platform", platform)
+    bgi.monitor._say_that_there_is_no_window.cache_clear()
+    bgi.monitor._say_that_there_is_no_window("no window: nobody knows why")
+    assert capsys.readouterr().err == (
+        "bgi: no window: nobody knows why; drawing goes on without a window "
+        "(BGI_MONITOR=none silences this line)\n"
+    )
+
+
 @pytest.mark.parametrize(
     ("platform", "variable"),
     [
