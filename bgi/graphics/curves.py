@@ -127,6 +127,14 @@ class Curves(Pen):
         if not ellipses.drawable(rx, ry):
             return
         color = self._ink
+        left, top, right, bottom = self.page.box
+        far, high = rx + 2, ry + 2  # half of a thick line, and the floor, beyond the radii
+        small = max(rx, ry) <= ellipses.REMEMBERED
+        inside = left + far <= x <= right - far and top + high <= y <= bottom - high
+        if small and inside and not (self._xor or self._wide or self._packed):
+            outline = ellipses.thick_outline(start, end, rx, ry, self.mode.width)
+            self.page.curve(x, y, outline, color)
+            return
         corners = [(x + dx, y + dy) for dx, dy in ellipses.thick_points(start, end, rx, ry)]
         for side in polygons.edges(polygons.paths(corners)):
             for strand in self._strands(*side):

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bgi.raster import lines, polygons
 from bgi.raster.lines import Ints
 
 Offset = tuple[int, int]
@@ -148,12 +149,29 @@ def outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
 
 def _outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
     points = np.array(arc(start, end, rx, ry), dtype=np.int64).reshape(-1, 2)
-    dx, dy = points.T
-    reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
-    return Outline(dx, dy, dy * width + dx, *map(int, reach))
+    return _reaching(points, width)
 
 
 _known_outline = lru_cache(maxsize=256)(_outline)
+
+
+@lru_cache(maxsize=64)
+def thick_outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
+    """A thick curve that nothing clips, for a page of that width; each pixel once."""
+    sides = polygons.edges(polygons.paths(thick_points(start, end, rx, ry)))
+    ends = np.array(sides, dtype=np.int64).reshape(-1, 4)
+    x1, y1, x2, y2 = ends.T
+    x, y, _, _ = lines.trace_many(lines.strands_many((x1, y1, x2, y2)))
+    both = np.unique(y * 2 * _QUADRANT + x + _QUADRANT)  # as one number: quicker than by pairs
+    y, x = np.divmod(both, 2 * _QUADRANT)
+    return _reaching(np.stack((x - _QUADRANT, y), axis=1), width)
+
+
+def _reaching(points: Ints, width: int) -> Outline:
+    """Points, one a row, as an outline."""
+    dx, dy = points.T
+    reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
+    return Outline(dx, dy, dy * width + dx, *map(int, reach))
 
 
 def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:

@@ -240,3 +240,17 @@ def test_negative_and_overflowing_radii_draw_nothing(vga):
         vga.fillellipse(100, 100, 5, radius)
         vga.sector(100, 100, 0, 90, 5, radius)
     assert not points(vga)
+
+
+@pytest.mark.parametrize(
+    "curve", [(0, 360, 50, 30), (20, 200, 7, 40), (350, 10, 1, 0), (5, 5, 9, 9)]
+)
+@pytest.mark.parametrize("place", [(100, 100), (60, 45), (5, 100), (100, 3)])
+def test_a_thick_curve_is_thick_lines_from_degree_to_degree(vga, curve, place):
+    x, y = place
+    vga.setlinestyle(0, 0, 3)
+    vga.ellipse(x, y, *curve)
+    drawn = points(vga)
+    vga.cleardevice()
+    vga.drawpoly([(x + dx, y + dy) for dx, dy in curves.thick_points(*curve)])
+    assert drawn == points(vga)
