@@ -65,7 +65,7 @@ _reached: dict[int, Graphics] = {}
 """What a call to each open screen reaches once it is current: itself, or a stand-in."""
 
 
-_parents: dict[int, Graphics] = {}
+_parents: list[Graphics] = []
 """In a fork, the screens of the process it was made from: kept, and never touched."""
 
 
@@ -73,7 +73,7 @@ def _leave_to_parent() -> None:
     """In a fork: the screens that are open are the parent's, and so is their memory."""
     global screen, number
     if _open:
-        _parents.update(_open)
+        _parents.extend(_open.values())
         _open.clear()
         _reached.clear()
         number, screen = NO_CURRENT_WINDOW, _IN_A_FORK

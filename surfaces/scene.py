@@ -45,7 +45,10 @@ class Plot:
         return View.of(self.transform, self.mapping)
 
     def project(self, points: ArrayLike) -> Doubles:
-        """Where points (x, y, z), shape (..., 3), appear: the paper's triples (x', y', z)."""
+        """Where points (x, y, z), shape (..., 3), appear: the paper's triples (x', y', z).
+
+        In a perspective the third number is z / w, as `Perspective` says.
+        """
         return apply(self._around(points), self.picture.view.screen)
 
     def unproject(self, triples: ArrayLike) -> Doubles:

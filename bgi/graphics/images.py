@@ -95,7 +95,8 @@ class Images(State):
     def _matched(self, picture: Picture, under: NDArray[Any]) -> NDArray[Any]:
         """A picture in this screen's numbers, laid over the pixels that are there."""
         palette = self.card.palette
-        alpha = picture.rgba[..., 3:]
+        rgba = picture.rgba
+        colors, alpha = rgba[..., :3], rgba[..., 3:]
         if self.mode.pixel_bytes == 1 and picture.colors is not None:
             table = nearest(picture.colors[:, :3], palette[: self.mode.colors])
             same = np.flatnonzero((picture.colors[:, :3] == palette).all(axis=1))
@@ -103,7 +104,6 @@ class Images(State):
             table[same] = same  # of equal colours the index that the picture has
             numbers: NDArray[Any] = table[picture.pixels]
         else:
-            colors = picture.rgba[..., :3]
             if ((alpha > 0) & (alpha < 255)).any():
                 mixed = alpha * 1.0 * colors + (255 - alpha * 1.0) * shown(under, palette)
                 colors = (mixed / 255 + 0.5).astype(np.uint8)

@@ -8,7 +8,6 @@ string of pixels seen before. Source: the specification GIF89a.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +15,8 @@ from numpy.typing import NDArray
 _TRANSPARENT = 1  # a bit of the graphic control extension
 _OWN_PALETTE, _INTERLACED = 0x80, 0x40  # bits of a picture's head
 _PASSES = ((0, 8), (4, 8), (2, 4), (1, 2))  # first row and step of an interlaced picture's passes
-_MOST_CODES = 4096
+_WIDEST = 12  # bits of a code...
+_MOST_CODES = 1 << _WIDEST  # ... of which there are so many
 
 
 def size(data: bytes) -> tuple[int, int]:
@@ -114,12 +114,19 @@ def _blocks(data: bytes, at: int) -> tuple[bytes, int]:
     return b"".join(parts), at + 1
 
 
-def _codes(packed: bytes, bits: int) -> Iterator[tuple[int, bool]]:
-    """LZW's codes, the lowest bit first, and whether one begins a new table; up to the end code."""
+def _unpacked(packed: bytes, bits: int, wanted: int) -> bytes:
+    """Undo LZW: exactly so many pixels.
+
+    Codes are read the lowest bit first. They are as wide as the table needs, one bit more than
+    pixels at first; the two after the pixels begin a new table and end the picture.
+    """
+    if not 1 <= bits <= 8:
+        raise ValueError("its pixels are packed in an unknown way")
     clear, end = 1 << bits, (1 << bits) + 1
-    width, known = bits + 1, end + 1
-    held = count = 0
-    fresh = True
+    first = [bytes([value]) for value in range(clear)] + [b"", b""]
+    table, before, width = first.copy(), b"", bits + 1
+    parts: list[bytes] = []
+    length = held = count = 0
     for byte in packed:
         held |= byte << count
         count += 8
@@ -127,42 +134,30 @@ def _codes(packed: bytes, bits: int) -> Iterator[tuple[int, bool]]:
             code = held & (1 << width) - 1
             held >>= width
             count -= width
-            if code == end:
-                return
             if code == clear:
-                width, known, fresh = bits + 1, end + 1, True
+                table, before, width = first.copy(), b"", bits + 1
                 continue
-            yield code, fresh
-            known += not fresh and known < _MOST_CODES
-            fresh = False
-            if known + 1 > 1 << width and width < 12:
-                width += 1
-
-
-def _unpacked(packed: bytes, bits: int, wanted: int) -> bytes:
-    """Undo LZW: exactly so many pixels."""
-    if not 1 <= bits <= 8:
-        raise ValueError("its pixels are packed in an unknown way")
-    first = [bytes([value]) for value in range(1 << bits)] + [b"", b""]
-    table: list[bytes] = []
-    parts: list[bytes] = []
-    length, before = 0, b""
-    for code, fresh in _codes(packed, bits):
-        if fresh:
-            table, before = first.copy(), b""
-        if code < len(table):
-            string = table[code]
-        elif code == len(table) and before:
-            string = before + before[:1]
-        else:
-            string = b""
-        if not string:
-            raise ValueError("its pixels make no sense")
-        if before and len(table) < _MOST_CODES:
-            table.append(before + string[:1])
-        before = string
-        parts.append(string)
-        length += len(string)
-        if length >= wanted:
-            return b"".join(parts)[:wanted]
+            if code == end:
+                raise ValueError("it ends too soon")
+            string = _string(table, code, before)
+            if before and len(table) < _MOST_CODES:
+                table.append(before + string[:1])
+                width += len(table) == 1 << width and width < _WIDEST
+            before = string
+            parts.append(string)
+            length += len(string)
+            if length >= wanted:
+                return b"".join(parts)[:wanted]
     raise ValueError("it ends too soon")
+
+
+def _string(table: list[bytes], code: int, before: bytes) -> bytes:
+    """What a code stands for, after the string `before`; it may be the one about to be added."""
+    string = b""
+    if code < len(table):
+        string = table[code]
+    elif code == len(table):
+        string = before + before[:1]
+    if not string:
+        raise ValueError("its pixels make no sense")
+    return string

@@ -74,7 +74,7 @@ def search_path() -> list[str]:
     own = {_folder(), os.path.dirname(os.path.abspath(program)) if program else ""}
     found = [os.path.abspath(entry) for entry in sys.path if entry]
     needed = os.path.dirname(os.path.dirname(os.path.abspath(pygame.__file__)))
-    return [*dict.fromkeys(entry for entry in found if entry not in own), needed]
+    return list(dict.fromkeys([*(entry for entry in found if entry not in own), needed]))
 
 
 def _folder() -> str:

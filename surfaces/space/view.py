@@ -19,7 +19,8 @@ class View:
     """How a surface is seen: everything that its hidden parts depend on."""
 
     screen: Doubles
-    """4x4: from (x, y, z, 1) on the surface to (x', y', z, 1) on the screen."""
+    """4x4: from (x, y, z, 1) on the surface to (x', y', z, 1) on the screen; in a perspective to
+    w times (x', y', z / w, 1)."""
     eye: Doubles
     """(3,): the direction of the eye, as seen from the surface; in a perspective, its place."""
 
