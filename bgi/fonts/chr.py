@@ -10,6 +10,7 @@ The coordinates are signed, y grows upward, and the letters stand on y = 0.
 
 import struct
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from bgi.constants import grInvalidFont
@@ -64,6 +65,11 @@ class StrokedFont:
         """The character's strokes; none outside the font."""
         place = code - self.first
         return self.strokes[place] if 0 <= place < len(self.strokes) else ()
+
+    @cached_property
+    def longest(self) -> int:
+        """The strokes of the character that has the most."""
+        return max(map(len, self.strokes), default=0)
 
 
 def parse(data: bytes) -> StrokedFont:

@@ -39,6 +39,11 @@ SIZES = {
 
 MAX_CHARACTERS = 1 << 16
 """Of a text in a stroked font: C's strings are no longer."""
+
+KEPT_OF_A_LETTER, KEPT_OF_A_TEXT = 128, 8192
+"""Strokes of a letter and of a text that are kept, 32 bytes each: Borland's letters have up to 126,
+those of another font file may have thousands. All that is kept takes at most 4 and 32 megabytes."""
+
 _NOTHING = np.empty((0, 4), dtype=np.int64)
 
 
@@ -83,12 +88,13 @@ def segments(
 
     A row whose ends are one point is a dot. Characters outside the font draw nothing.
     """
-    find = _remembered if len(text) <= REMEMBERED else _segments
-    return find(font, text, scale, vertical)
+    kept = len(text) <= REMEMBERED and len(text) * font.longest <= KEPT_OF_A_TEXT
+    return (_remembered if kept else _segments)(font, text, scale, vertical)
 
 
 def _segments(font: StrokedFont, text: bytes, scale: Scale, vertical: bool) -> NDArray[np.int64]:
-    glyphs = [_glyph(font, code, scale) for code in text]
+    find = _known_glyph if font.longest <= KEPT_OF_A_LETTER else _glyph
+    glyphs = [find(font, code, scale) for code in text]
     widths = [
         _scaled(font.width(code), scale.mx, scale.dx) if font.operations(code) else 0
         for code in text
@@ -104,10 +110,9 @@ def _segments(font: StrokedFont, text: bytes, scale: Scale, vertical: bool) -> N
     return lines
 
 
-_remembered = lru_cache(maxsize=256)(_segments)
+_remembered = lru_cache(maxsize=128)(_segments)
 
 
-@lru_cache(maxsize=1024)
 def _glyph(font: StrokedFont, code: int, scale: Scale) -> NDArray[np.int64]:
     """The lines of one character, scaled, y upward. Its pen starts lifted."""
     mx, dx, my, dy = scale
@@ -118,6 +123,9 @@ def _glyph(font: StrokedFont, code: int, scale: Scale) -> NDArray[np.int64]:
             rows.append((*pen, *point))
         pen = point
     return np.array(rows, dtype=np.int64).reshape(-1, 4)
+
+
+_known_glyph = lru_cache(maxsize=1024)(_glyph)
 
 
 def anchor(

@@ -1,5 +1,7 @@
 """Stroked fonts: how a text becomes lines, and the ten fonts that ship."""
 
+from dataclasses import astuple
+
 import numpy as np
 import pytest
 
@@ -166,4 +168,4 @@ def test_shipped_files_are_what_the_generator_makes(name):
 
 @named
 def test_round_trip(name):
-    assert vars(parse(encode(FONTS[name]))) == vars(FONTS[name])
+    assert astuple(parse(encode(FONTS[name]))) == astuple(FONTS[name])

@@ -10,10 +10,13 @@ import bgi
 from bgi import dos, mouse
 from bgi.errors import brief
 from bgi.fonts import bitmap, codepage, layout
+from bgi.fonts.chr import Operation
 from bgi.graphics import Graphics
 from bgi.kernel.arguments import MAX_DIMENSIONS, MAX_NUMBERS
+from bgi.kernel.state import KERNEL
 from bgi.memory.card import MAX_SIDE
 from bgi.raster import ellipses
+from tests.stroked import font_of
 
 BILLION = 10**9
 MANY = [
@@ -220,3 +223,25 @@ def test_what_is_large_is_not_kept(cache: object, call: Callable[[], object]) ->
     cache.cache_clear()  # type: ignore[attr-defined]
     call()
     assert cache.cache_info().currsize == 0  # type: ignore[attr-defined]
+
+
+def test_letters_with_thousands_of_strokes_are_not_kept() -> None:
+    letter = [
+        Operation(True, number % 64, number // 64) for number in range(layout.KEPT_OF_A_LETTER)
+    ]
+    for name, extra in ("KEEP", 0), ("DROP", 1):
+        font = font_of([*letter, *letter[:extra]], name=name)
+        layout._known_glyph.cache_clear()
+        layout._remembered.cache_clear()
+        lines = layout.segments(font, b"A" * 65, layout.SIZES[4])
+        assert len(lines) == 65 * (len(letter) + extra - 1)
+        assert layout._known_glyph.cache_info().currsize == (extra == 0)
+        assert layout._remembered.cache_info().currsize == 0
+    assert layout.segments(font, b"A" * 63, layout.SIZES[4]).nbytes <= 32 * layout.KEPT_OF_A_TEXT
+    assert layout._remembered.cache_info().currsize == 1
+
+
+@pytest.mark.parametrize("number", range(1, 11))
+def test_letters_of_the_fonts_that_come_along_are_kept(number: int) -> None:
+    font = KERNEL.fonts.load(number, "")
+    assert font is not None and 0 < font.longest <= layout.KEPT_OF_A_LETTER
