@@ -18,10 +18,11 @@ surface as an array of points), `visible` (what is seen of it), `systems` (what 
 
 import surfaces.beside  # noqa: F401  (first)
 from surfaces.animation import PillowMissing, save_gif
+from surfaces.bodies import parametric, sheet
 from surfaces.explorer import Explorer, explore
 from surfaces.formulas import FormulaError, formula
 from surfaces.modes import MODES
-from surfaces.plot import parametric, surface
+from surfaces.plot import surface
 from surfaces.scene import Plot
 from surfaces.shape.fields import FIELDS
 from surfaces.shape.figures import FIGURES, Figure
@@ -47,7 +48,7 @@ from surfaces.systems.svg import Svg
 # fmt: off
 __all__ = [
     # Drawing a surface, and what was drawn
-    "surface", "parametric", "Plot",
+    "surface", "parametric", "sheet", "Plot",
     # What to draw: functions, data, formulas, the paper's figures
     "sample", "data", "Grid", "formula", "FormulaError", "FIGURES", "Figure",
     # How: the names that `mode`, `color`, `ramp` and `projection` take

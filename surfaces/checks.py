@@ -5,7 +5,7 @@ meaning is a TypeError, and what is out of range a ValueError; both name the opt
 """
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from math import isfinite
 from numbers import Real
 from typing import Any, TypeVar
@@ -66,6 +66,13 @@ def text(name: str, given: Any) -> str:
     """A text."""
     if not isinstance(given, str):
         raise TypeError(f"{name} must be a text, not {given!r:.60}")
+    return given
+
+
+def choice(name: str, given: Any, names: Collection[str]) -> str:
+    """One of some names."""
+    if not isinstance(given, str) or given not in names:
+        raise ValueError(f"{name} must be one of {', '.join(map(repr, names))}, not {given!r:.60}")
     return given
 
 

@@ -1,4 +1,4 @@
-"""How a surface looks: the options that `surface` and `parametric` share, and their effect.
+"""How a surface looks: the options that surfaces of every kind share, and their effect.
 
 A `Look` holds the options as they were given. For a surface of a certain size it makes a `Stage`:
 pen, palette and view ready to draw with, and the surroundings ready to be drawn.
@@ -14,6 +14,7 @@ import numpy as np
 from surfaces import checks, frame
 from surfaces.arrays import Box, Doubles, corners, keep_freed_memory, middle
 from surfaces.frame import Frame, draw_bar, write_title
+from surfaces.scene import Plot
 from surfaces.shape.sampling import HUGE, Interval, real
 from surfaces.space.fitting import fit
 from surfaces.space.mapping import Mapping, Projection
@@ -23,8 +24,9 @@ from surfaces.space.transforms import Point, affine, compose, translation
 from surfaces.space.view import View
 from surfaces.systems.colors import Ramp, palette
 from surfaces.systems.pen import BLACK, Pen, System
-from surfaces.visible.painter import FILLED, Easel
+from surfaces.visible.painter import FILLED, Easel, Picture
 
+BLANK = "nothing of the surface can be seen: each of its cells has a corner without a value"
 MESH_LINES = 50
 """About how many lines a mesh has in each direction, unless told otherwise."""
 CHECKS: dict[str, Callable[[str, Any], Any]] = {
@@ -210,6 +212,10 @@ class Stage:
         """Pixels for a unit of the surface's x, y and z, along the arrows of the mapping."""
         x, y, z = np.array(self.mapping.scale) * np.diag(self.fitted)[:3]
         return float(x), float(y), float(z)
+
+    def plot(self, picture: Picture, limits: Interval) -> Plot:
+        """What was drawn on it, to be asked about."""
+        return Plot(self.mapping, self.transform, self.scales, self.box, limits, picture)
 
     @contextmanager
     def surroundings(self, limits: Interval) -> Iterator[None]:

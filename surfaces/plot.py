@@ -1,4 +1,4 @@
-"""`surface` and `parametric`: the pieces put together.
+"""`surface`: the pieces put together. (`surfaces.bodies` has `parametric` and `sheet`.)
 
     sample f  ->  fit to the screen  ->  transform  ->  map to the screen  ->  draw what is seen
 
@@ -7,7 +7,7 @@ All that happens to a point between f and the pixel is one product with one 4x4 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Sequence
 from math import pi
 from typing import Any
 
@@ -16,24 +16,20 @@ import numpy as np
 from surfaces import checks
 from surfaces.arrays import Box, Doubles
 from surfaces.formulas import formula
-from surfaces.look import Look, Stage
+from surfaces.look import BLANK, Look
 from surfaces.modes import MODES, draw, draw_contours, draw_floor
 from surfaces.scene import Plot
 from surfaces.shape.fields import Color, fields
 from surfaces.shape.grid import Grid, in_order
 from surfaces.shape.sampling import Axis, Function, Interval, Table, is_table, real
-from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
 from surfaces.systems.colors import Ramp
 from surfaces.systems.pen import System
 from surfaces.ticks import ticks
-from surfaces.visible import painter
-from surfaces.visible.painter import Picture
-from surfaces.visible.pictures import HeightPicture, SheetPicture
+from surfaces.visible.pictures import HeightPicture
 
 Levels = int | Sequence[float]
 """Contour lines: how many, or at which z."""
-BLANK = "nothing of the surface can be seen: each of its cells has a corner without a value"
 DOMAIN = (-3.0, 3.0)
 """Where a formula is drawn, unless told otherwise."""
 
@@ -118,7 +114,7 @@ def surface(
         ValueError: for arguments out of range, and where there is nothing to be seen.
         TypeError: for arguments of another kind. In both cases nothing is drawn.
     """
-    _check(mode, MODES)
+    checks.choice("mode", mode, MODES)
     look = Look(
         projection=projection,
         theta=theta,
@@ -150,104 +146,7 @@ def surface(
         draw_floor(picture, stage.above_origin(_levels(on_floor, stage.heights)), stage.floor)
         draw(picture, mode)
         draw_contours(picture, stage.above_origin(_levels(on_surface, stage.heights)))
-    return _plot(stage, picture, shown[0].limits)
-
-
-def parametric(
-    f: Callable[[Any, Any], Any],
-    u: Interval,
-    v: Interval,
-    n: int | tuple[int, int] = 100,
-    mode: str = "fill",
-    transform: Doubles | None = None,
-    mapping: Projection | None = None,
-    *,
-    projection: str | Projection | None = None,
-    theta: float = pi / 4,
-    rho_z: float = 1.0,
-    zfrac: float | None = None,
-    color: str | Function = "z",
-    ramp: str | Ramp = "rainbow",
-    under: str | Ramp | None = None,
-    dither: bool = True,
-    lines: int | None = None,
-    every: int | None = None,
-    box: bool = False,
-    axes: bool | Sequence[str] = False,
-    title: str = "",
-    colorbar: bool = False,
-    on: System | None = None,
-) -> Plot:
-    """Draw the surface (x, y, z) = f(u, v), hidden parts removed, and return what was drawn.
-
-    Args:
-        f: A function of two arrays that returns three: x, y and z.
-        u: The domain, (a, b) with a < b.
-        v: The same for v.
-        n: Cells in each direction, or (nu, nv).
-        mode: "fill": each pixel by its depth, always right. "mesh", "fill+mesh", "facets": whole
-            cells by the depth of their middles, right to within a cell. "wire": all lines.
-        transform: As for `surface`, like all that is not described here.
-        mapping: As for `surface`.
-        projection: As for `surface`.
-        theta: As for `surface`.
-        rho_z: As for `surface`.
-        zfrac: As for `surface`; None keeps the shape, so that a sphere is round.
-        color: What the colours show: "z", or a function of u and v.
-        ramp: As for `surface`.
-        under: The colours of the under side, the one from which u to v turns clockwise. None: the
-            same as the other's, for a body closed in itself shows only one.
-        dither: As for `surface`.
-        lines: The colour of lines. None: the current colour; in filled modes black.
-        every: As for `surface`.
-        box: As for `surface`.
-        axes: As for `surface`.
-        title: As for `surface`.
-        colorbar: As for `surface`.
-        on: As for `surface`.
-
-    Returns:
-        A `Plot`, as `surface` does.
-
-    Raises:
-        ValueError: for arguments out of range, and where there is nothing to be seen.
-        TypeError: for arguments of another kind. In both cases nothing is drawn.
-    """
-    _check(mode, painter.MODES)
-    look = Look(
-        projection=projection,
-        theta=theta,
-        rho_z=rho_z,
-        zfrac=zfrac,
-        ramp=ramp,
-        under=ramp if under is None else under,
-        dither=dither,
-        lines=lines,
-        every=every,
-        box=box,
-        axes=axes,
-        title=title,
-        colorbar=colorbar,
-        on=on,
-    )
-    sheet = Sheet.sample(f, u, v, n)
-    stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping)
-    if not sheet.whole.any() and mode != "wire":
-        raise ValueError(BLANK)
-    shown = sheet.field(color)
-    picture = SheetPicture(stage.easel, sheet.around(stage.origin), shown)
-    with stage.surroundings(shown.limits):
-        painter.MODES[mode](picture)
-    return _plot(stage, picture, shown.limits)
-
-
-def _check(mode: str, modes: Collection[str]) -> None:
-    if not isinstance(mode, str) or mode not in modes:
-        raise ValueError(f"mode must be one of {', '.join(map(repr, modes))}, not {mode!r}")
-
-
-def _plot(stage: Stage, picture: Picture, limits: Interval) -> Plot:
-    return Plot(stage.mapping, stage.transform, stage.scales, stage.box, limits, picture)
+    return stage.plot(picture, shown[0].limits)
 
 
 def _grids(

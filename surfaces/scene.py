@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from surfaces import checks
 from surfaces.arrays import Box, Doubles, corners, middle
-from surfaces.shape.sampling import Function, Interval
+from surfaces.shape.sampling import Function, Interval, Table
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
 from surfaces.space.perspective import check_in_front
@@ -65,7 +65,7 @@ class Plot:
         u: Interval,
         v: Interval,
         n: int | tuple[int, int] = 100,
-        color: str | Function = "z",
+        color: str | Function | Table = "z",
     ) -> Plot:
         """Add the surface (x, y, z) = f(u, v) to the scene, each hidden where the other is nearer.
 
@@ -77,7 +77,7 @@ class Plot:
             u: The domain, (a, b) with a < b.
             v: The same for v.
             n: Cells in each direction, or (nu, nv).
-            color: What the colours show: "z", or a function of u and v.
+            color: What the colours show: "z", a function of u and v, a number for every node.
 
         Returns:
             A `Plot` of both, for `pick`, `points` and whatever is added next.
@@ -85,7 +85,26 @@ class Plot:
         Raises:
             ValueError: for arguments out of range; nothing is drawn then.
         """
-        sheet = Sheet.sample(f, u, v, n)
+        return self._with(Sheet.sample(f, u, v, n), color)
+
+    def sheet(self, x: Table, y: Table, z: Table, color: str | Table = "z") -> Plot:
+        """Add the surface through points in rows and columns, as `parametric` adds one.
+
+        Args:
+            x: The x of the points, a 2-D array...
+            y: ... their y, an array of the same shape...
+            z: ... and their z.
+            color: What the colours show: "z", or an array like x, y and z.
+
+        Returns:
+            A `Plot` of both, for `pick`, `points` and whatever is added next.
+
+        Raises:
+            ValueError: for shapes that differ, or where there is no point; nothing is drawn then.
+        """
+        return self._with(Sheet.of(x, y, z), color)
+
+    def _with(self, sheet: Sheet, color: str | Function | Table) -> Plot:
         shown, origin = sheet.field(color).scaled(self.limits), middle(self.box)
         easel = self.picture.easel
         check_in_front(corners(sheet.box) - origin, easel.view.screen)

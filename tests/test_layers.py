@@ -107,6 +107,7 @@ LAYERS = [
     "surfaces.scene",
     "surfaces.look",
     "surfaces.modes",
+    "surfaces.bodies",
     "surfaces.plot",
     "surfaces.explorer.",
     "surfaces.command.",

@@ -230,7 +230,10 @@ def _axes_of_meshgrid(x: Doubles, y: Doubles, values: Doubles) -> tuple[Doubles,
             return x[:, 0], y[0], values
         if (x == x[:1]).all() and (y == y[:, :1]).all():  # indexing="xy"
             return x[0], y[:, 0], values.T
-    raise ValueError(f"x and y must be axes, or what meshgrid makes of them, for {values.shape}")
+    raise ValueError(
+        f"x and y must be axes, or what meshgrid makes of them, for {values.shape}; "
+        "for points in bent rows there is sheet(x, y, z)"
+    )
 
 
 def _axis(name: str, axis: Axis | None, count: int) -> Doubles:

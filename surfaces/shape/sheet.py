@@ -1,7 +1,10 @@
-"""Surfaces (u, v) -> (x, y, z): spheres, rings, bands, whatever two numbers can walk over."""
+"""Surfaces (u, v) -> (x, y, z): spheres, rings, bands, whatever two numbers can walk over.
+
+Points that are known lie in rows and columns: their numbers i and j are the two.
+"""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,19 +12,17 @@ import numpy as np
 from surfaces.arrays import Bools, Box, Doubles
 from surfaces.shape.cells import all_corners
 from surfaces.shape.fields import Field, spread
-from surfaces.shape.sampling import Function, Interval, cut, evaluate, nodes, real
+from surfaces.shape.sampling import Function, Interval, Table, cut, evaluate, nodes, real
 
 
 @dataclass(frozen=True)
 class Sheet:
     """A surface as points over u and v."""
 
-    u: Doubles
-    """(nu+1,)"""
-    v: Doubles
-    """(nv+1,)"""
     points: Doubles
     """(nu+1, nv+1, 3): points (x, y, z), NaN where there is a hole."""
+    parameters: tuple[Doubles, Doubles] | None = None
+    """(nu+1,) and (nv+1,): the u and the v of the points, if a function made them."""
 
     @classmethod
     def sample(
@@ -42,30 +43,54 @@ class Sheet:
         parts = list(place) if np.iterable(place) else [place]
         if len(parts) != 3:
             raise ValueError(f"f must return x, y and z, not {len(parts)} values")
-        parts = [cut(np.broadcast_to(real(part), across.shape), None) for part in parts]
-        points = np.stack(parts, axis=-1)
-        points = np.where(np.isfinite(points).all(axis=-1, keepdims=True), points, np.nan)
+        points = _stacked([np.broadcast_to(real(part), across.shape) for part in parts])
         if np.isnan(points).all():
             raise ValueError(f"f has no finite point on u = {u!r}, v = {v!r}")
-        return cls(us, vs, points)
+        return cls(points, (us, vs))
+
+    @classmethod
+    def of(cls, x: Table, y: Table, z: Table) -> "Sheet":
+        """A sheet from points that are known: (x[i, j], y[i, j], z[i, j]).
+
+        Raises:
+            ValueError: unless the three are 2-D and of one shape, of 2 by 2 numbers or more, and a
+                point is finite.
+        """
+        parts = [real(part, name) for name, part in (("x", x), ("y", y), ("z", z))]
+        shapes = [part.shape for part in parts]
+        if len(set(shapes)) > 1:
+            raise ValueError("x, y and z must have one shape, not {}, {} and {}".format(*shapes))
+        if len(shapes[0]) != 2 or min(shapes[0]) < 2:
+            raise ValueError(f"x, y and z must be 2 x 2 numbers or more, not {shapes[0]}")
+        points = _stacked(parts)
+        if np.isnan(points).all():
+            raise ValueError("x, y and z have no finite point")
+        return cls(points)
 
     def around(self, origin: Doubles) -> "Sheet":
         """The same surface with its coordinates counted from a point, (3,)."""
-        return Sheet(self.u, self.v, self.points - origin)
+        return replace(self, points=self.points - origin)
 
-    def field(self, color: str | Function) -> Field:
-        """The field that `color` asks for: "z", or a function of u and v.
+    def field(self, color: str | Function | Table) -> Field:
+        """The field that `color` asks for: "z", a number for each point, or a function of u and v.
 
         What has no value counts as the lowest.
         """
-        if isinstance(color, str) and color == "z":
-            values = self.points[..., 2]
-        elif callable(color):
-            values = evaluate(color, *np.meshgrid(self.u, self.v, indexing="ij"), name="color")
-        else:
-            raise ValueError(f'color must be "z" or a function of u and v, not {color!r}')
-        found = spread(values)
+        found = spread(self._values(color))
         return found.scaled(found.limits)
+
+    def _values(self, color: str | Function | Table) -> Doubles:
+        if isinstance(color, str) and color == "z":
+            return self.points[..., 2]
+        if callable(color) and self.parameters is not None:
+            return evaluate(color, *np.meshgrid(*self.parameters, indexing="ij"), name="color")
+        if isinstance(color, str) or callable(color):
+            function = "" if self.parameters is None else " or a function of u and v"
+            raise ValueError(f'color must be "z" or an array{function}, not {color!r:.60}')
+        values, shape = real(color, "color"), self.points.shape[:2]
+        if values.shape != shape:
+            raise ValueError(f"color must have the shape {shape}, not {values.shape}")
+        return values
 
     @property
     def whole(self) -> Bools:
@@ -76,3 +101,9 @@ class Sheet:
     def box(self) -> Box:
         """The box around it."""
         return np.nanmin(self.points, axis=(0, 1)), np.nanmax(self.points, axis=(0, 1))
+
+
+def _stacked(parts: list[Doubles]) -> Doubles:
+    """Points from their x, y and z; one without all three is NaN."""
+    points = np.stack([cut(part, None) for part in parts], axis=-1)
+    return np.where(np.isfinite(points).all(axis=-1, keepdims=True), points, np.nan)

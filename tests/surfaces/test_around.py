@@ -338,7 +338,7 @@ def test_every_mode_of_a_ball(mode: str) -> None:
         ({"n": 0}, "n must be at least 1"),
         ({"f": lambda u, v: (u, v)}, "f must return x, y and z, not 2 values"),
         ({"f": lambda u, v: (u * np.nan, v, v)}, "f has no finite point"),
-        ({"color": "slope"}, 'color must be "z" or a function of u and v'),
+        ({"color": "slope"}, 'color must be "z" or an array or a function of u and v'),
         ({"every": 0}, "every must be at least 1"),
     ],
 )

@@ -1,4 +1,4 @@
-"""The options that `surface` and `parametric` share are defined once, in `Look`."""
+"""The options that `surface`, `parametric` and `sheet` share are defined once, in `Look`."""
 
 import inspect
 from collections.abc import Callable
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import bgi
-from surfaces import MODES, parametric, surface
+from surfaces import MODES, parametric, sheet, surface
 from surfaces.look import Look
 from surfaces.visible import painter
 
@@ -24,8 +24,8 @@ def options(function: Callable[..., Any]) -> dict[str, inspect.Parameter]:
     return {name: p for name, p in parameters.items() if p.kind is p.KEYWORD_ONLY}
 
 
-@pytest.mark.parametrize("function", [surface, parametric])
-def test_both_have_the_options_of_a_look_in_its_order(function: Callable[..., Any]) -> None:
+@pytest.mark.parametrize("function", [surface, parametric, sheet])
+def test_all_have_the_options_of_a_look_in_its_order(function: Callable[..., Any]) -> None:
     shared = [name for name in options(function) if name not in OF_HEIGHTS | {"color"}]
     assert shared == LOOK
 
@@ -41,7 +41,7 @@ def test_defaults_differ_only_where_a_body_wants_another(name: str) -> None:
     assert defaults == different.get(name, (defaults[0], defaults[0]))
 
 
-@pytest.mark.parametrize("function", [surface, parametric])
+@pytest.mark.parametrize("function", [surface, parametric, sheet])
 def test_every_option_is_documented(function: Callable[..., Any]) -> None:
     text = inspect.getdoc(function) or ""
     described = [
@@ -52,7 +52,7 @@ def test_every_option_is_documented(function: Callable[..., Any]) -> None:
     assert described == list(inspect.signature(function).parameters)
 
 
-@pytest.mark.parametrize("function", [surface, parametric])
+@pytest.mark.parametrize("function", [surface, parametric, sheet])
 def test_every_option_arrives_under_its_own_name(
     function: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -62,7 +62,7 @@ def test_every_option_arrives_under_its_own_name(
         assert arrived == given
         raise InterruptedError
 
-    monkeypatch.setattr("surfaces.plot.Look", remember)
+    monkeypatch.setattr(f"{function.__module__}.Look", remember)
     with pytest.raises(InterruptedError):
         function(None, (0, 1), (0, 1), **given)
 
