@@ -34,8 +34,9 @@ def settextstyle(font: Number, direction: Number, charsize: Number) -> None:
             (0) takes setusercharsize()'s factors.
 
     A font file is looked for in initgraph's path, in the current folder, then among those that come
-    with this package. If it cannot be had, graphresult() says why (-8 not found, -13 not a font,
-    -14 no such number, -12 not readable) and the built-in font is used.
+    with this package; a font that is in use already is not looked for again. If it cannot be had,
+    graphresult() says why (-8 not found, -13 not a font, -14 no such number, -12 not readable) and
+    the built-in font is used.
     """
     current.screen.settextstyle(font, direction, charsize)
 

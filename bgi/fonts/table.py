@@ -7,6 +7,7 @@ package. File names are compared as DOS did, without regard to case.
 """
 
 import os
+import time
 from functools import lru_cache
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
@@ -19,6 +20,7 @@ STANDARD = ("TRIP", "LITT", "SANS", "GOTH", "SCRI", "SIMP", "TSCR", "LCOM", "EUR
 _MAX_FONTS = 20
 _NAME_LENGTH = 8  # of a file in DOS
 _EXTENSION = ".CHR"
+_SETTLED = 3 * 10**9  # nanoseconds: a change that old and the next one differ in their times
 
 
 class FontTable:
@@ -56,6 +58,10 @@ class FontTable:
             self._registered[number] = font
         return number
 
+    def is_registered(self, number: int) -> bool:
+        """Whether a font of that number was registered: it comes before any file."""
+        return number in self._registered
+
     def load(self, number: int, path: str | os.PathLike[str] = "") -> StrokedFont:
         """The font of that number; `path` is the folder given to initgraph.
 
@@ -92,19 +98,32 @@ class FontTable:
         return len(self._names)
 
 
-def _find(folder: str, file: str) -> os.DirEntry[str] | None:
-    """The file of that name, in whatever case; None also if there is no such folder."""
+def _find(folder: str, file: str) -> str | None:
+    """The path of the file of that name, in whatever case; None also if there is no such folder."""
     try:
-        with os.scandir(folder) as entries:
-            return next((e for e in entries if e.name.upper() == file and e.is_file()), None)
+        status = os.stat(folder)
+        settled = time.time_ns() - status.st_mtime_ns > _SETTLED
+        look = _known_fonts if settled else _fonts
+        return look(folder, status.st_dev, status.st_ino, status.st_mtime_ns).get(file)
     except (OSError, ValueError):  # ValueError: a path with a zero byte
         return None
 
 
-def _open(entry: os.DirEntry[str], file: str) -> StrokedFont:
+def _fonts(folder: str, device: int, number: int, changed: int) -> dict[str, str]:
+    """The paths of the font files in a folder, by name; the numbers tell it from later states."""
+    with os.scandir(folder) as entries:
+        found = [entry for entry in entries if entry.name.upper().endswith(_EXTENSION)]
+    # Of several that differ in case only, the first one counts.
+    return {entry.name.upper(): entry.path for entry in reversed(found) if entry.is_file()}
+
+
+_known_fonts = lru_cache(maxsize=32)(_fonts)
+
+
+def _open(path: str, file: str) -> StrokedFont:
     try:
-        status = os.stat(entry.path)
-        return _parsed(os.path.abspath(entry.path), status.st_mtime_ns, status.st_size)
+        status = os.stat(path)
+        return _parsed(os.path.abspath(path), status.st_mtime_ns, status.st_size)
     except FontError as error:
         raise FontError(f"Invalid font file ({file}): {error}", error.code) from None
     except OSError as error:

@@ -42,20 +42,27 @@ class Text(State):
 
     def settextstyle(self, font: Number, direction: Number, charsize: Number) -> None:
         """Choose font, direction and size; a font that cannot be had gives the built-in one."""
-        number, way = whole("font", font), whole("direction", direction)
-        size = whole("charsize", charsize)
-        loaded = None
-        if number != DEFAULT_FONT:
-            try:
-                loaded = KERNEL.fonts.load(number, self.path)
-            except FontError as error:
-                KERNEL.result.set(error.code)
-            KERNEL.result.font_file = KERNEL.fonts.file(number) or KERNEL.result.font_file
-        self._font = loaded
+        number = font if type(font) is int else whole("font", font)
+        way = direction if type(direction) is int else whole("direction", direction)
+        size = charsize if type(charsize) is int else whole("charsize", charsize)
         style = self.settings.text
-        known = DEFAULT_FONT if self._font is None else number
-        self.settings.text = textsettingstype(known, way, size, style.horiz, style.vert)
+        if number == DEFAULT_FONT:
+            self._font = None
+        elif number != style.font or KERNEL.fonts.is_registered(number):
+            self._font = self._load(number)
+        style.font = DEFAULT_FONT if self._font is None else number
+        style.direction, style.charsize = way, size
         self._use_charsize(size)
+
+    def _load(self, number: int) -> StrokedFont | None:
+        """A stroked font, or None, and graphresult() says why."""
+        font = None
+        try:
+            font = KERNEL.fonts.load(number, self.path)
+        except FontError as error:
+            KERNEL.result.set(error.code)
+        KERNEL.result.font_file = KERNEL.fonts.file(number) or KERNEL.result.font_file
+        return font
 
     def settextjustify(self, horiz: Number, vert: Number) -> None:
         """Choose which point of a text its coordinates mean; -11 unless both are 0..2."""

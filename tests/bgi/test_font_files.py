@@ -275,8 +275,59 @@ def test_a_folder_or_pipe_of_that_name_is_passed_over(here):
 def test_a_file_that_cannot_be_read(here, monkeypatch):
     (here / "TRIP.CHR").write_bytes(a_font())
 
-    def refuse(*_):
-        raise PermissionError("no")
+    def refuse(path, *_, stat=os.stat):
+        if str(path).endswith(".CHR"):
+            raise PermissionError("no")
+        return stat(path)
 
     monkeypatch.setattr("bgi.fonts.table.os.stat", refuse)
     assert load_error(FontTable(), 1) == (grIOerror, "TRIP.CHR")
+
+
+@pytest.fixture
+def looked_into(monkeypatch):
+    """The folders that are looked through, one after another."""
+    folders = []
+
+    def look(folder, scandir=os.scandir):
+        folders.append(folder)
+        return scandir(folder)
+
+    monkeypatch.setattr("bgi.fonts.table.os.scandir", look)
+    return folders
+
+
+LONG_AGO = 10**9, 10**9
+
+
+def test_a_folder_is_looked_through_again_when_it_has_changed(here, looked_into):
+    (here / "empty").mkdir()
+    os.utime(here / "empty", LONG_AGO)
+    os.utime(here, LONG_AGO)
+    table = FontTable()
+    for number in (1, 3, 1):
+        table.load(number, "empty")
+    assert looked_into == ["empty", "."]
+    (here / "trip.chr").write_bytes(a_font("HERE"))
+    assert table.load(1, "empty").name == "HERE"
+    assert looked_into == ["empty", ".", "."]
+
+
+def test_a_folder_that_changes_right_now_may_change_again_at_the_same_time(here, looked_into):
+    moment = os.stat(here).st_mtime_ns
+    assert FontTable().load(1).name == "TRIP"
+    (here / "trip.chr").write_bytes(a_font("HERE"))
+    os.utime(here, ns=(moment, moment))  # as where a clock is too coarse to tell
+    assert FontTable().load(1).name == "HERE"
+
+
+def test_each_current_folder_is_looked_through(here, monkeypatch):
+    (here / "other").mkdir()
+    (here / "other" / "trip.chr").write_bytes(a_font("OTHR"))
+    for folder in (here, here / "other"):
+        os.utime(folder, LONG_AGO)
+    assert FontTable().load(1).name == "TRIP"
+    monkeypatch.chdir("other")
+    assert FontTable().load(1).name == "OTHR"
+    monkeypatch.chdir("..")
+    assert FontTable().load(1).name == "TRIP"

@@ -3,6 +3,7 @@
 import pytest
 
 import bgi
+from bgi.fonts import DATA
 from tests.pictures import points
 
 
@@ -102,3 +103,26 @@ def test_fonts_that_cannot_be_had(tmp_path):
     bgi.settextstyle(number, 0, 4)
     assert bgi.graphresult() == bgi.grInvalidFont
     assert bgi.grapherrormsg(bgi.grInvalidFont) == "Invalid font file (MINE.CHR)"
+
+
+def test_a_font_in_use_is_not_looked_for_again(tmp_path):
+    bgi.initgraph(bgi.VGA, bgi.VGAHI, str(tmp_path))
+    bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
+    width = bgi.textwidth("Wide")
+    small = (DATA / "LITT.CHR").read_bytes()
+    (tmp_path / "TRIP.CHR").write_bytes(small)
+    bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
+    assert bgi.textwidth("Wide") == width
+    bgi.settextstyle(bgi.DEFAULT_FONT, bgi.HORIZ_DIR, 4)
+    bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
+    assert bgi.textwidth("Wide") < width
+
+
+def test_a_font_that_is_registered_takes_the_place_of_the_one_in_use():
+    bgi.initgraph(bgi.VGA, bgi.VGAHI)
+    bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
+    width = bgi.textwidth("Wide")
+    small = (DATA / "LITT.CHR").read_bytes()
+    assert bgi.registerbgifont(small.replace(b"LITT", b"TRIP", 1)) == bgi.TRIPLEX_FONT
+    bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
+    assert bgi.textwidth("Wide") < width
