@@ -98,9 +98,11 @@ class Palette:
     def __init__(self, mode: GraphicsMode, shown: NDArray[np.uint8]) -> None:
         """Take the default palette of `mode`; `shown` is the card's (256, 3) table of colours."""
         self.kind = mode.palette
-        self._has_dac = mode.driver == VGA or self.kind == "IBM8514"
+        self._fixed = self.kind == "IBM8514"
+        self._has_dac = mode.driver == VGA or self._fixed
         self._shown = shown
         self._shown[:] = 0
+        self._bytes = self._shown.reshape(-1).data
         self._changeable, self._bits = _CHANGEABLE.get(self.kind, (0, 0))
         self._dac: list[RGB] = []
         self._hardware: list[int] = []
@@ -146,23 +148,24 @@ class Palette:
         return list(DEFAULTS[self.kind][0]) if self._has_palette else list(range(16))
 
     def set(self, index: int, value: int) -> bool:
-        """Give `index` a value; False, and nothing changes, where the adapter cannot."""
-        return self.set_all({index: value})
-
-    def set_all(self, values: dict[int, int]) -> bool:
-        """Give several indices their values, of which the low byte counts; False on the 8514.
+        """Give `index` a value, of which the low byte counts; False, and no change, on the 8514.
 
         An index that the palette lacks is ignored, and -1 leaves an index as it is.
         """
-        if self.kind == "IBM8514":
+        if self._fixed:
             return False
-        for index, value in values.items():
-            if 0 <= index < len(self.values) and value != -1:
-                self.values[index] = value & 0xFF
-                if index < self._changeable:
-                    self._hardware[index] = value & self._bits
-        self._show()
+        if 0 <= index < len(self.values) and value != -1:
+            self.values[index] = value & 0xFF
+            if index < self._changeable:
+                self._hardware[index] = value & self._bits
+                self._bytes[3 * index : 3 * index + 3] = bytes(self._dac[value & self._bits])
         return True
+
+    def set_all(self, values: Sequence[int]) -> bool:
+        """Give the first indices their values, each as `set` does."""
+        for index, value in enumerate(values):
+            self.set(index, value)
+        return not self._fixed
 
     def set_background(self, color: int) -> None:
         """What setbkcolor() does: index 0 takes the colour of entry `color`; nothing is redrawn."""

@@ -34,6 +34,9 @@ def join(red: int, green: int, blue: int) -> int:
     return TAG | (blue & 255) << 16 | (green & 255) << 8 | red & 255
 
 
+_INDEX = {join(*color): index for index, color in enumerate(SIXTEEN)}
+
+
 def split(color: int) -> RGB:
     """Red, green and blue of a tagged number."""
     return color & 255, color >> 8 & 255, color >> 16 & 255
@@ -47,8 +50,7 @@ def is_rgb(color: int) -> bool:
 def number(red: int, green: int, blue: int) -> int:
     """The number of a colour in a window: its index if it is one of the sixteen, else tagged."""
     tagged = join(red, green, blue)
-    mixed = split(tagged)
-    return SIXTEEN.index(mixed) if mixed in SIXTEEN else tagged
+    return _INDEX.get(tagged, tagged)
 
 
 def components(color: int) -> RGB:
