@@ -31,11 +31,13 @@ class Drawing(Pen):
 
     def setlinestyle(self, style: Number, pattern: Number, width: Number) -> None:
         """Set line style, user pattern and width; -11 and no change if either is unknown."""
-        number, bits = whole("style", style), whole("pattern", pattern) & 0xFFFF
-        thickness = whole("width", width)
+        number = style if type(style) is int else whole("style", style)
+        bits = (pattern if type(pattern) is int else whole("pattern", pattern)) & 0xFFFF
+        thickness = width if type(width) is int else whole("width", width)
         widest = MAX_SIDE if self.mode.square else THICK_WIDTH
         if SOLID_LINE <= number <= USERBIT_LINE and 0 <= thickness <= widest:
-            self.settings.line = linesettingstype(number, bits, thickness)
+            line = self.settings.line
+            line.linestyle, line.upattern, line.thickness = number, bits, thickness
             self._use_line_settings()
         else:
             KERNEL.result.set(grError)

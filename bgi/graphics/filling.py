@@ -29,7 +29,8 @@ class Filling(Pen):
         """Set fill pattern and colour; -11 and no change for an unknown pattern."""
         number, index = whole("pattern", pattern), whole("color", color)
         if EMPTY_FILL <= number < USER_FILL:
-            self.settings.fill = fillsettingstype(number, index)
+            fill = self.settings.fill
+            fill.pattern, fill.color = number, index
             self._use_fill_settings()
         else:
             KERNEL.result.set(grError)

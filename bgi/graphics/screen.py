@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from bgi.constants import SOLID_LINE, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
+from bgi.constants import COPY_PUT, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
 from bgi.fonts.bitmap import CELL
 from bgi.fonts.chr import StrokedFont
 from bgi.kernel.arguments import Number, Numbers, broadcast, length, whole
@@ -26,6 +26,7 @@ from bgi.monitor.headless import Headless
 from bgi.raster.patterns import (
     FILL_PATTERNS,
     LINE_PATTERNS,
+    SOLID_BITS,
     SOLID_ROWS,
     highest_first,
     line_mask,
@@ -64,7 +65,7 @@ class State:
         self._given_mask = 0xFF if indexed else rgb.MASK
         size = mode.width, mode.height
         self.card.set_mode(*size, mode.pages, mode.pixel_bytes, mode.square)
-        self._packed = mode.file.packed
+        self._packed, self._tall_text = mode.file.packed, mode.file.tall_text
         kind = PackedPage if self._packed else Page
         self.pages = [kind(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
         self.palette = Palette(mode, self.card.palette)
@@ -89,28 +90,30 @@ class State:
         view = self.settings.view
         self._dx, self._dy = self._origin = view.left, view.top
         if view.clip:
-            self.page.clip_to((view.left, view.top, view.right, view.bottom))
+            box = view.left, view.top, view.right, view.bottom
         else:
-            self.page.clip_to((0, 0, self.mode.width - 1, self.mode.height - 1))
+            box = 0, 0, self.mode.width - 1, self.mode.height - 1
+        if box != self.page.box:
+            self.page.clip_to(box)
 
     def _use_line_settings(self) -> None:
         """Take over line style, width and write mode, as the booleans that drawing asks for."""
         line = self.settings.line
-        user = line.linestyle == USERBIT_LINE
-        bits = line.upattern if user else LINE_PATTERNS[line.linestyle]
-        self._wide = line.thickness > THICK_WIDTH
+        style, width = line.linestyle, line.thickness
+        bits = line.upattern if style == USERBIT_LINE else LINE_PATTERNS[style]
+        self._wide = width > THICK_WIDTH
         if self._wide:  # a brush draws no gaps
-            bits = LINE_PATTERNS[SOLID_LINE]
+            bits = SOLID_BITS
         self._pattern = line_mask(highest_first(bits) if self._packed else bits)
-        self._thick = line.thickness >= THICK_WIDTH
-        self._xor = bool(self.settings.writemode)
-        self._solid = bits == LINE_PATTERNS[SOLID_LINE] and not self._xor
-        self._plain = self._solid and not self._thick
+        self._thick = thick = width >= THICK_WIDTH
+        self._xor = xor = self.settings.writemode != COPY_PUT
+        self._solid = solid = bits == SOLID_BITS and not xor
+        self._plain = solid and not thick
 
     def _use_charsize(self, size: int) -> None:
         """Take over a size for the built-in font: width and height of its characters."""
         size = size & _ENLARGEMENT_BITS or 1
-        self._cell = CELL * size, CELL * (size + (self.mode.file.tall_text and size > 1))
+        self._cell = CELL * size, CELL * (size + (self._tall_text and size > 1))
 
     def _use_color(self, color: int) -> None:
         """Take over the drawing colour, as the indices that it is drawn in."""
@@ -163,13 +166,16 @@ class State:
         self, left: Number, top: Number, right: Number, bottom: Number, clip: Number
     ) -> None:
         """Set the viewport (absolute corners); -11 unless it lies within the screen."""
-        left, top = whole("left", left), whole("top", top)
-        right, bottom = whole("right", right), whole("bottom", bottom)
-        clip = whole("clip", clip)
+        left = left if type(left) is int else whole("left", left)
+        top = top if type(top) is int else whole("top", top)
+        right = right if type(right) is int else whole("right", right)
+        bottom = bottom if type(bottom) is int else whole("bottom", bottom)
+        clip = clip if type(clip) is int else whole("clip", clip)
         if not (0 <= left <= right < self.mode.width and 0 <= top <= bottom < self.mode.height):
             KERNEL.result.set(grError)
             return
-        self.settings.view = viewporttype(left, top, right, bottom, clip)
+        view = self.settings.view
+        view.left, view.top, view.right, view.bottom, view.clip = left, top, right, bottom, clip
         self.settings.x = self.settings.y = 0
         self._use_viewport()
 
@@ -272,13 +278,16 @@ class State:
         given = palette.colors if isinstance(palette, palettetype) else palette
         if length("palette", given) > MAX_ENTRIES + 1:
             raise ValueError(f"palette may hold {MAX_ENTRIES} colours at most")
-        colors = [whole(f"palette[{i}]", color) for i, color in enumerate(given)]
+        colors = [
+            color if type(color) is int else whole(f"palette[{i}]", color)
+            for i, color in enumerate(given)
+        ]
         if isinstance(palette, palettetype):
             del colors[max(whole("palette.size", palette.size), 0) :]
         size = self.mode.colors
         if colors[:1] == [size] and len(colors) == size + 1:  # the struct as C lays it out
             del colors[0]
-        if not self.palette.set_all(dict(enumerate(colors))):
+        if not self.palette.set_all(colors):
             KERNEL.result.set(grError)
 
     def getpalette(self) -> palettetype:

@@ -46,7 +46,9 @@ MAX_DIMENSIONS = 32
 
 def whole(name: str, value: object) -> int:
     """One number as an int; TypeError or ValueError names the argument."""
-    if type(value) is float and isfinite(value):  # the commonest after ints, which callers see to
+    if type(value) is int:
+        return value
+    if type(value) is float and isfinite(value):  # the commonest after ints
         return int(value)
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()

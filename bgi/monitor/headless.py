@@ -90,11 +90,11 @@ class Headless:
 
     def key_waiting(self) -> bool:
         """Whether the script goes on."""
-        self._expected = self._keys.waiting()
-        self._pass(0 if self._expected else QUESTION)
-        if not self._expected:
+        self._expected = waiting = self._keys.waiting()
+        self._pass_until(self._time.now if waiting else self._time.now + QUESTION)
+        if not waiting:
             self._rest_in_vain()
-        return self._expected
+        return waiting
 
     def read_key(self) -> int:
         """The script's next byte; at its end NobodyThere, or TimeIsUp where an end is planned."""
@@ -118,7 +118,7 @@ class Headless:
 
     def _rest_in_vain(self) -> None:
         """Let a program rest that asks only for what never comes: keys, clicks, nor an end."""
-        never = min(self._time.next_key(), self._plan.after) == math.inf
+        never = self._plan.after == math.inf == self._time.next_key()
         if never and self._idling is not None and self._idling.count_question():
             time.sleep(REST_SECONDS)
 
@@ -166,7 +166,7 @@ class Headless:
             return  # a forked copy of the program
         self._closed.set()
         if self._card is not None:
-            self._record(self._card)
+            self._record()
             self._plan.take_shot(self._card)
         recorder, self._recorder = self._recorder, None
         if recorder is not None:
@@ -177,16 +177,16 @@ class Headless:
 
     def _pass(self, milliseconds: float) -> None:
         """Let time pass, and the end come."""
-        self._pass_until(self.now + milliseconds)
+        self._pass_until(self._time.now + milliseconds)
 
     def _pass_until(self, then: float) -> None:
         if self._over is not None:
             raise self._over.with_traceback(None)
-        if then - self._recorded[0] >= PICTURE and self._card is not None:
-            self._record(self._card)
+        if self._recorder is not None and then - self._recorded[0] >= PICTURE:
+            self._record()
         end = 1000 * self._plan.after
-        self._time.move_to(min(then, end))
-        if self.now >= end:
+        self._time.move_to(then if then < end else end)
+        if then >= end:
             raise self._end()
 
     def _end(self) -> TimeIsUp:
@@ -206,11 +206,12 @@ class Headless:
             if busy or asleep > self._plan.after:
                 self._end()
 
-    def _record(self, card: Card) -> None:
-        frame = card.frame() if self._recorder else None
-        if self._recorder is None or frame is None:
+    def _record(self) -> None:
+        if self._recorder is None or self._card is None:
             return
-        palette = card.palette.tobytes()
+        frame, palette = self._card.frame(), self._card.palette.tobytes()
+        if frame is None:
+            return
         if (frame, palette) != self._recorded[1]:
             self._recorder.add(self.now / 1000, frame, palette)
         self._recorded = self.now, (frame, palette)

@@ -24,4 +24,7 @@ class Timeline:
 
     def next_key(self) -> float:
         """When the script types a key that does not wait yet; infinity if it is at its end."""
-        return next((1000 * press.at for press in self._coming if press.keystroke), math.inf)
+        for press in self._coming:
+            if press.keystroke:
+                return 1000 * press.at
+        return math.inf

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 LINE_PATTERNS = [0xFFFF, 0xCCCC, 0xFC78, 0xF8F8]
 """SOLID_LINE, DOTTED_LINE, CENTER_LINE, DASHED_LINE; USERBIT_LINE brings its own."""
+SOLID_BITS = LINE_PATTERNS[0]
 
 FILL_PATTERNS = [
     bytes.fromhex(rows)
@@ -57,7 +58,7 @@ def line_mask(pattern: int) -> NDArray[np.bool_]:
     return np.tile((pattern >> np.arange(16) & 1).astype(bool), _MAX_LENGTH // 16)
 
 
-SOLID_MASK = line_mask(LINE_PATTERNS[0])
+SOLID_MASK = line_mask(SOLID_BITS)
 
 
 @lru_cache(maxsize=16)
