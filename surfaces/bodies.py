@@ -193,7 +193,7 @@ def _draw_sheet(
     color: str | Function | Table,
 ) -> Plot:
     stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping)
-    if not sheet.whole.any() and mode != "wire":
+    if sheet.blank and mode != "wire":
         raise ValueError(BLANK)
     shown = sheet.field(color)
     picture = SheetPicture(stage.easel, sheet.around(stage.origin), shown)

@@ -26,7 +26,7 @@ from surfaces.systems.colors import Ramp, palette
 from surfaces.systems.pen import BLACK, Pen, System
 from surfaces.visible.painter import FILLED, Easel, Picture
 
-BLANK = "nothing of the surface can be seen: each of its cells has a corner without a value"
+BLANK = "nothing of the surface can be seen: no cell has enough corners with a value"
 MESH_LINES = 50
 """About how many lines a mesh has in each direction, unless told otherwise."""
 CHECKS: dict[str, Callable[[str, Any], Any]] = {

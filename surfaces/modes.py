@@ -17,8 +17,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from surfaces.arrays import Bools, Doubles, Ints
-from surfaces.shape.contours import CORNERS, contours
+from surfaces.arrays import Bools, Doubles
+from surfaces.shape.cells import quads, with_three_corners
+from surfaces.shape.contours import contours
 from surfaces.shape.grid import Grid
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
@@ -85,9 +86,12 @@ def _rows(grid: Grid, easel: Easel) -> Iterator[Row]:
 
 def _cover(easel: Easel, far: Row, near: Row) -> None:
     """Hide with the background what lies behind the strip between two lines."""
-    corners = (far.nodes[:-1], far.nodes[1:], near.nodes[1:], near.nodes[:-1])
-    there = far.joined & near.joined
-    easel.pen.polygons(np.stack(corners, axis=1)[there], BACKGROUND, BACKGROUND)
+    count = len(far.nodes)
+    nodes = np.concatenate((far.nodes, near.nodes))
+    corners = quads(np.arange(2 * count).reshape(2, count, 1))[0, ..., 0]
+    _, triangles = with_three_corners(corners, np.isfinite(nodes[:, 0])[corners])
+    corners = np.concatenate((corners[far.joined & near.joined], triangles))
+    easel.pen.polygons(nodes[corners], BACKGROUND, BACKGROUND)
 
 
 def _draw_row(easel: Easel, row: Row) -> None:
@@ -160,10 +164,8 @@ def draw_contours(picture: HeightPicture, levels: list[float]) -> None:
             lines = contours(grid, level)
             starts, ends = (apply(p, easel.view.screen)[:, :2] for p in (lines.starts, lines.ends))
             middles = (lines.starts + lines.ends) / 2
-            if not easel.view.parallel:
-                shown = ~picture.depths.hides(
-                    middles, _nearest_of_cells(grid, lines.cell, easel.view)
-                )
+            if not easel.view.parallel or grid.rim is not None:
+                shown = ~picture.depths.hides(middles, _nearest(lines.corners, easel.view))
                 easel.pen.lines(starts[shown], ends[shown], easel.ink)
             elif picture.swept:
                 owner = picture.sweeps[0].nearer_line(lines.cell)
@@ -173,11 +175,10 @@ def draw_contours(picture: HeightPicture, levels: list[float]) -> None:
                 easel.pen.lines(starts[shown], ends[shown], easel.ink)
 
 
-def _nearest_of_cells(grid: Grid, cells: Ints, view: View) -> Doubles:
-    """How near the nearest corner of each of some cells (m, 2) is, and a cell's depth more."""
-    i, j = cells.T
-    corners = view.nearness(np.stack([grid.points[i + a, j + b] for a, b in CORNERS]))
-    nearest: Doubles = 2 * corners.max(axis=0) - corners.min(axis=0)
+def _nearest(corners: Doubles, view: View) -> Doubles:
+    """How near the nearest corner of each of some cells, (m, 4, 3), is, and a cell's depth more."""
+    near = view.nearness(corners)
+    nearest: Doubles = 2 * near.max(axis=1) - near.min(axis=1)
     return nearest
 
 

@@ -64,9 +64,10 @@ def surface(
 ) -> Plot:
     """Draw the surface z = f(x, y), hidden parts removed, and return what was drawn.
 
-    Where f has no finite value there is a hole; it ends where f begins, also inside a cell (data
-    have only whole cells). In a mode of 256 colours palette entries 16 to 255 are loaded with the
-    ramps. Several surfaces are drawn right as long as they do not cross inside a cell.
+    Where f has no finite value there is a hole; it ends where f begins, also inside a cell (of data
+    a cell without one corner is a triangle). In a mode of 256 colours palette entries 16 to 255 are
+    loaded with the ramps. Several surfaces are drawn right as long as they do not cross inside a
+    cell.
 
     Args:
         f: A function of two numbers or, faster, of two numpy arrays. Or its formula, such as

@@ -24,6 +24,17 @@ def all_corners(there: Bools) -> Bools:
     return np.asarray(sides[:, :-1] & sides[:, 1:])
 
 
+def with_three_corners(corners: Ints, there: Bools) -> tuple[Ints, Ints]:
+    """Of cells whose corners, (m, 4), are partly there, (m, 4), those that lack only one.
+
+    Which ones they are, (k,), and their corners, (k, 4): what is missing is that before it again,
+    so that each is a triangle.
+    """
+    three = np.flatnonzero(there.sum(axis=1) == 3)
+    corners, there = corners[three], there[three]
+    return three, np.where(there, corners, np.roll(corners, 1, axis=1))
+
+
 def every_nth(count: int, n: int) -> Ints:
     """Every n-th of the numbers below `count`, beginning with 0, and always the last."""
     return np.unique(np.append(np.arange(0, count, min(n, count)), count - 1))

@@ -49,7 +49,7 @@ class Field:
 
         A quantity that is not finite at a point counts as the node's, too.
         """
-        if self.quantity is None:
+        if self.quantity is None or not len(points):
             return beside
         low, high = self.limits
         value = (self.quantity(points) - low) / ((high - low) or 1.0)
@@ -99,8 +99,20 @@ def spread(values: Doubles) -> Field:
 
 
 def _gradient(grid: Grid) -> tuple[Doubles, Doubles]:
-    along_x, along_y = np.gradient(grid.z, grid.x, grid.y)
-    return np.asarray(along_x), np.asarray(along_y)
+    """How much z changes per unit of x and of y; beside a hole, toward the other side."""
+    along_x, along_y = map(np.asarray, np.gradient(grid.z, grid.x, grid.y))
+    if grid.rim is not None:
+        along_x = _one_sided(along_x, np.diff(grid.z, axis=0) / np.diff(grid.x)[:, None])
+        along_y = _one_sided(along_y.T, (np.diff(grid.z, axis=1) / np.diff(grid.y)).T).T
+    return along_x, along_y
+
+
+def _one_sided(slopes: Doubles, steps: Doubles) -> Doubles:
+    """Slopes at lines of nodes, (n, m); missing ones are those of a step (n - 1, m) beside."""
+    none = np.full((1, steps.shape[1]), np.nan)
+    after, before = np.concatenate((steps, none)), np.concatenate((none, steps))
+    beside = np.where(np.isnan(after), before, after)
+    return np.where(np.isnan(slopes), beside, slopes)
 
 
 def _height(grid: Grid, T: Doubles) -> Field:

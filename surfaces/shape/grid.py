@@ -11,7 +11,7 @@ leads from one end straight to the other is a pole, not a wall: it becomes a hol
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -127,10 +127,17 @@ class Grid:
 
     @cached_property
     def rim(self) -> Rim | None:
-        """What there is of cells at the edge of a hole, if a function can tell."""
-        if self.value is None or np.isfinite(self.z).all():
+        """What there is of cells at the edge of a hole; None where there are no holes."""
+        if np.isfinite(self.z).all():
             return None
-        return rim.find(self.value, self.x, self.y, self.z)
+        if self.value is not None:
+            return rim.find(self.value, self.x, self.y, self.z)
+        found = rim.of_data(self.z)
+        if self.limits is None:
+            return found
+        low, high = ((self.z.ravel()[found.corners] == end).any(axis=1) for end in self.limits)
+        part = ~(low & high)  # a pole is a gap, not a wall
+        return replace(found, corners=found.corners[part], cell=found.cell[part])
 
     @property
     def points(self) -> Doubles:

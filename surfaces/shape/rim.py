@@ -5,6 +5,9 @@ a node with a value and a neighbour without, bisection finds where the values en
 both kinds is part of the surface as far as the line between two such ends. Where a function has
 values right up to the neighbour and again behind it, as 1/x about 0, or grows without end, as
 log(r) there, there is no rim: the hole is a missing point, or a pole.
+
+Data say nothing between their nodes: there, a cell that lacks one corner is half of a cell, the
+triangle of the other three.
 """
 
 from collections.abc import Callable
@@ -13,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surfaces.arrays import Bools, Doubles, Ints
-from surfaces.shape.cells import quads
+from surfaces.shape.cells import quads, with_three_corners
 
 Value = Callable[[Doubles, Doubles], Doubles]
 """Heights at points; NaN where there is none."""
@@ -98,6 +101,14 @@ def find(value: Value, x: Doubles, y: Doubles, z: Doubles) -> Rim:
             cells.append(which[known_ends])
             corners.append(places[which[known_ends]][:, piece])
     return Rim(points[known], node[known], np.concatenate(corners), np.concatenate(cells))
+
+
+def of_data(z: Doubles) -> Rim:
+    """The rims of holes, NaN, in heights that are known at the nodes only."""
+    index = np.arange(z.size).reshape(z.shape)
+    corners = quads(index[..., None])[..., 0].reshape(-1, 4)
+    cell, corners = with_three_corners(corners, np.isfinite(z).ravel()[corners])
+    return Rim(np.zeros((0, 3)), np.zeros(0, np.int64), corners, cell)
 
 
 def _ends(

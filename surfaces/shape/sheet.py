@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from surfaces.arrays import Bools, Box, Doubles
-from surfaces.shape.cells import all_corners
+from surfaces.arrays import Box, Doubles
+from surfaces.shape.cells import quads
 from surfaces.shape.fields import Field, spread
 from surfaces.shape.sampling import Function, Interval, Table, cut, evaluate, nodes, real
 
@@ -93,9 +93,10 @@ class Sheet:
         return values
 
     @property
-    def whole(self) -> Bools:
-        """Which cells, (nu, nv), have all their corners: the others are holes."""
-        return all_corners(np.isfinite(self.points[..., 2]))
+    def blank(self) -> bool:
+        """Whether there is nothing to fill: no cell has three of its corners."""
+        there = np.isfinite(self.points[..., 2:])
+        return bool(quads(there).sum(axis=2).max() < 3)
 
     @property
     def box(self) -> Box:

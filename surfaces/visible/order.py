@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfaces.arrays import Bools, Doubles, Ints
-from surfaces.shape.cells import every_nth, quads
+from surfaces.shape.cells import every_nth, quads, with_three_corners
 from surfaces.shape.fields import Field
 from surfaces.shape.grid import Grid
 from surfaces.shape.rim import Rim
@@ -155,11 +155,14 @@ def _with_rim(
 
 
 def cells_of_points(points: Doubles, value: Doubles, view: View, every: int) -> Cells:
-    """The cells of a sheet of points, (nu+1, nv+1, 3), by depth; those with a hole left out."""
+    """The cells of a sheet of points, (nu+1, nv+1, 3), by depth, triangles at the rims of holes."""
     i, j = (every_nth(count, every) for count in value.shape)
     nodes = points[np.ix_(i, j)].reshape(-1, 3)
     corners = quads(np.arange(len(nodes)).reshape(len(i), len(j), 1))[..., 0]
-    near = view.nearness(nodes)[corners].mean(axis=2)
-    there = np.isfinite(near)
-    order = np.argsort(near[there], kind="stable")
-    return Cells(nodes, value[np.ix_(i, j)].ravel(), corners[there][order], view)
+    corners = corners.reshape(-1, 4)
+    there = np.isfinite(nodes[:, 2])[corners]
+    if not there.all():
+        _, triangles = with_three_corners(corners, there)
+        corners = np.concatenate((corners[there.all(axis=1)], triangles))
+    order = np.argsort(view.nearness(nodes)[corners].mean(axis=1), kind="stable")
+    return Cells(nodes, value[np.ix_(i, j)].ravel(), corners[order], view)

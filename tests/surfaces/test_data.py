@@ -107,9 +107,9 @@ def test_a_surface_without_a_cell_is_an_error(mode: str) -> None:
     """It was blank, without a word."""
     canvas = Canvas(60, 40)
     chessboard = np.where(np.indices((6, 6)).sum(axis=0) % 2, np.nan, 1.0)
-    with pytest.raises(ValueError, match="each of its cells has a corner without a value"):
+    with pytest.raises(ValueError, match="no cell has enough corners with a value"):
         surface(chessboard, mode=mode, on=canvas)
-    with pytest.raises(ValueError, match="each of its cells has a corner without a value"):
+    with pytest.raises(ValueError, match="no cell has enough corners with a value"):
         surface([chessboard, chessboard], mode=mode, axes=True, on=canvas)
     assert not canvas.array.any()
 
@@ -128,7 +128,7 @@ def test_a_body_without_a_cell_is_an_error() -> None:
     def rows(u: Any, v: Any) -> Any:
         return u, v, np.where(np.round(u) % 2, np.nan, u * v)
 
-    with pytest.raises(ValueError, match="each of its cells has a corner without a value"):
+    with pytest.raises(ValueError, match="no cell has enough corners with a value"):
         parametric(rows, (0, 6), (0, 6), 6, on=canvas)
     assert not canvas.array.any()
 
