@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from bgi.clib.numbers import signed
+from bgi.clib.bits import signed
 
 FILE = Path(__file__).parent / "original" / "stdlib.txt"
 
@@ -22,10 +22,12 @@ def printed():
 
 def read():
     """What sscanf read: each a format, the input, what it returned, the values that it stored."""
-    found = [line.split("\t") for line in lines("scanf ")]
-    for format, text, answer in found:
-        count, _, stored = answer.partition(" ")
-        yield format, text, int(count), stored[1:-1].split("][")
+    found = []
+    for line in lines("scanf "):
+        format, text, answer = line.split("\t")
+        returned, _, stored = answer.partition(" ")
+        found.append((format, text, int(returned), stored[1:-1].split("][")))
+    return found
 
 
 def numbers(start):

@@ -8,11 +8,11 @@ it stands: nobody knows any more which argument belongs where.
 
 import re
 from collections.abc import Callable
-from decimal import Decimal
 from math import isfinite, isnan
 from typing import Any, NamedTuple
 
-from bgi.clib.numbers import signed, unsigned
+from bgi.clib.bits import signed, unsigned
+from bgi.clib.reals import exponential, fixed, general
 from bgi.clib.strings import c_string, character
 from bgi.errors import brief
 from bgi.kernel.arguments import real, whole
@@ -25,9 +25,6 @@ MOST_CHARACTERS = 1 << 24
 
 MOST_BITS = 1024
 """Of a whole number: as far as floating point goes."""
-
-DIGITS = 15
-"""Significant digits of a double, whatever the precision; zeros follow."""
 
 _CONVERSION = re.compile(
     r"%(?P<flags>[-+ #0]*+)(?P<width>\*|[0-9]*+)(?:\.(?P<precision>\*|[0-9]*+))?"
@@ -190,42 +187,10 @@ def _real(conversion: Conversion, value: object) -> str:
     letter = conversion.letter
     precision = 6 if conversion.precision is None else conversion.precision
     point = "#" in conversion.flags
-    digits = _STYLES[letter.lower()](abs(number), precision, point)
+    digits = _DIGITS[letter.lower()](abs(number), precision, point)
     if sign and "0" in conversion.flags and "-" not in conversion.flags:
         conversion = conversion._replace(width=conversion.width + 1)  # Borland's zeros forget it
     return conversion.padded(sign, digits.upper() if letter in "EG" else digits, zeros=True)
-
-
-def _fixed(number: float, precision: int, point: bool) -> str:
-    """As %f: digits before and behind the point."""
-    rounded = f"{number:.{DIGITS - 1}e}"
-    exact = int(rounded.partition("e")[2]) + precision < DIGITS
-    digits = f"{number if exact else Decimal(rounded):.{precision}f}"
-    return digits + "." if point and not precision else digits
-
-
-def _exponential(number: float, precision: int, point: bool) -> str:
-    """As %e: one digit before the point, and an exponent of two digits or three."""
-    mantissa, _, exponent = f"{number:.{min(precision, DIGITS - 1)}e}".partition("e")
-    zeros = "0" * (precision - DIGITS + 1)
-    return f"{mantissa}{zeros}{'.' if point and not precision else ''}e{exponent}"
-
-
-def _general(number: float, precision: int, point: bool) -> str:
-    """As %g: %e for what is small or large, %f for others, without zeros at the end."""
-    precision = precision or 1
-    exponent = int(f"{number:.{min(precision, DIGITS) - 1}e}".partition("e")[2])
-    if -4 <= exponent < precision:
-        digits, power = _fixed(number, precision - 1 - exponent, point), ""
-    else:
-        digits, _, power = _exponential(number, precision - 1, point).partition("e")
-        power = "e" + power
-    if not point and "." in digits:
-        digits = digits.rstrip("0").rstrip(".")
-    return digits + power
-
-
-_STYLES = {"f": _fixed, "e": _exponential, "g": _general}
 
 
 def _character(conversion: Conversion, value: object) -> str:
@@ -272,6 +237,8 @@ def _whole(conversion: Conversion, value: object) -> int:
         raise ValueError(f"{conversion.name} is too large: {brief(number)}")
     return number
 
+
+_DIGITS = {"f": fixed, "e": exponential, "g": general}
 
 _CONVERTERS: dict[str, Callable[[Conversion, object], str]] = {
     **dict.fromkeys("di", _decimal),
