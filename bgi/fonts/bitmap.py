@@ -14,11 +14,14 @@ CELL = 8
 """Width and height of a glyph at size 1, in pixels."""
 
 
-@lru_cache(maxsize=1)
-def _glyphs() -> NDArray[np.bool_]:
-    """The pixels of all glyphs, shape (256, CELL, CELL)."""
-    rows = (DATA / "font8x8.bin").read_bytes()
-    return np.unpackbits(np.frombuffer(rows, np.uint8).reshape(256, CELL, 1), axis=2).astype(bool)
+@lru_cache(maxsize=2)
+def _rows(turned: bool) -> NDArray[np.uint64]:
+    """All glyphs, shape (CELL, 256): eight pixels, a byte each, are one number."""
+    data = (DATA / "font8x8.bin").read_bytes()
+    glyphs = np.unpackbits(np.frombuffer(data, np.uint8).reshape(256, CELL, 1), axis=2)
+    if turned:
+        glyphs = np.rot90(glyphs, axes=(1, 2))
+    return np.ascontiguousarray(glyphs.transpose(1, 0, 2)).view(np.uint64)[..., 0]
 
 
 _REMEMBERED = 1 << 16
@@ -35,11 +38,8 @@ def mask(text: bytes, across: int, down: int, turned: bool = False) -> NDArray[n
 
 
 def _mask(text: bytes, across: int, down: int, turned: bool) -> NDArray[np.bool_]:
-    glyphs = _glyphs()[np.frombuffer(text, np.uint8)]
-    if turned:
-        glyphs = np.rot90(glyphs, axes=(1, 2))
-    line = glyphs.transpose(1, 0, 2).reshape(CELL, -1)
-    return line.repeat(down, axis=0).repeat(across, axis=1)
+    line = _rows(turned).take(np.frombuffer(text, np.uint8), axis=1).view(np.bool_)
+    return line if across == down == 1 else line.repeat(down, axis=0).repeat(across, axis=1)
 
 
 _remembered = lru_cache(maxsize=256)(_mask)

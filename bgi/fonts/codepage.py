@@ -25,6 +25,8 @@ def encode(text: str | bytes) -> bytes:
 
 
 def _encode(text: str) -> bytes:
+    if text.isascii():
+        return text.encode("ascii")
     return text.translate(_TO_CONTROL).encode("cp437", "replace")
 
 
