@@ -23,6 +23,7 @@ LAYERS = [
     "bgi.clib.printf",
     "bgi.clib.",
     "bgi.raster.lines",
+    "bgi.raster.offsets",
     "bgi.raster.brush",
     "bgi.raster.patterns",
     "bgi.raster.polygons",

@@ -8,7 +8,6 @@ degrees counter-clockwise, so that it reads upward.
 """
 
 from functools import lru_cache
-from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
@@ -40,11 +39,9 @@ SIZES = {
 MAX_CHARACTERS = 1 << 16
 """Of a text in a stroked font: C's strings are no longer."""
 
-KEPT_OF_A_LETTER, KEPT_OF_A_TEXT = 128, 8192
-"""Strokes of a letter and of a text that are kept, 32 bytes each: Borland's letters have up to 126,
-those of another font file may have thousands. All that is kept takes at most 4 and 32 megabytes."""
-
-_NOTHING = np.empty((0, 4), dtype=np.int64)
+KEPT_STROKES = 128
+"""Strokes of a letter that are kept, 32 bytes each: Borland's letters have up to 126, those of
+another font file may have thousands. All that is kept takes at most 4 megabytes."""
 
 
 def _scaled(number: int, mult: int, div: int) -> int:
@@ -81,51 +78,36 @@ def textheight(font: StrokedFont, scale: Scale) -> int:
     return _scaled(font.cap - font.dec, scale.my, scale.dy)
 
 
-def segments(
-    font: StrokedFont, text: bytes, scale: Scale, vertical: bool = False
-) -> NDArray[np.int64]:
-    """The lines of a text, rows x1, y1, x2, y2 from where its pen starts, y downward; read-only.
+def advance(font: StrokedFont, code: int, scale: Scale) -> int:
+    """How far the pen moves on after a character."""
+    return _scaled(font.width(code), scale.mx, scale.dx) if font.operations(code) else 0
 
-    A row whose ends are one point is a dot. Characters outside the font draw nothing.
+
+def strokes(font: StrokedFont, code: int, scale: Scale, vertical: bool) -> NDArray[np.int64]:
+    """The lines of a character, rows x1, y1, x2, y2 from where its pen starts, y downward.
+
+    The array is read-only. A row whose ends are one point is a dot. Characters outside the font
+    draw nothing.
     """
-    kept = len(text) <= REMEMBERED and len(text) * font.longest <= KEPT_OF_A_TEXT
-    return (_remembered if kept else _segments)(font, text, scale, vertical)
+    find = _known_strokes if font.longest <= KEPT_STROKES else _strokes
+    return find(font, code, scale, vertical)
 
 
-def _segments(font: StrokedFont, text: bytes, scale: Scale, vertical: bool) -> NDArray[np.int64]:
-    find = _known_glyph if font.longest <= KEPT_OF_A_LETTER else _glyph
-    glyphs = [find(font, code, scale) for code in text]
-    widths = [
-        _scaled(font.width(code), scale.mx, scale.dx) if font.operations(code) else 0
-        for code in text
-    ]
-    lines = np.concatenate([_NOTHING, *glyphs])
-    starts = np.array([0, *accumulate(widths)][:-1], dtype=np.int64)
-    lines[:, ::2] += starts.repeat([len(glyph) for glyph in glyphs])[:, np.newaxis]
-    if vertical:
-        lines = -lines[:, [1, 0, 3, 2]]
-    else:
-        lines[:, 1::2] *= -1
+def _strokes(font: StrokedFont, code: int, scale: Scale, vertical: bool) -> NDArray[np.int64]:
+    mx, dx, my, dy = scale
+    rows, pen = [], None  # which starts lifted
+    for draw, x, y in font.operations(code):
+        right, up = _scaled(x, mx, dx), _scaled(y, my, dy)
+        point = (-up, -right) if vertical else (right, -up)
+        if draw and pen is not None:
+            rows.append((*pen, *point))
+        pen = point
+    lines = np.array(rows, dtype=np.int64).reshape(-1, 4)
     lines.flags.writeable = False
     return lines
 
 
-_remembered = lru_cache(maxsize=128)(_segments)
-
-
-def _glyph(font: StrokedFont, code: int, scale: Scale) -> NDArray[np.int64]:
-    """The lines of one character, scaled, y upward. Its pen starts lifted."""
-    mx, dx, my, dy = scale
-    rows, pen = [], None
-    for draw, x, y in font.operations(code):
-        point = _scaled(x, mx, dx), _scaled(y, my, dy)
-        if draw and pen is not None:
-            rows.append((*pen, *point))
-        pen = point
-    return np.array(rows, dtype=np.int64).reshape(-1, 4)
-
-
-_known_glyph = lru_cache(maxsize=1024)(_glyph)
+_known_strokes = lru_cache(maxsize=1024)(_strokes)
 
 
 def anchor(
@@ -138,7 +120,7 @@ def anchor(
     """
     width, height = textwidth(font, text, scale), textheight(font, scale)
     back = height if vertical else width
-    across = {CENTER_TEXT: 1 - _scaled(back, 1, 2), RIGHT_TEXT: -back}.get(horiz, 0)
+    across = (horiz == CENTER_TEXT) - _part(back, horiz, RIGHT_TEXT)
     if vertical:
         return height + across, _part(width, vert, TOP_TEXT)
     return across, _part(height, vert, TOP_TEXT)

@@ -21,10 +21,13 @@ from bgi.fonts import bitmap, layout
 from bgi.fonts.chr import FontError, StrokedFont
 from bgi.fonts.codepage import encode
 from bgi.fonts.layout import Scale
+from bgi.fonts.lettering import letter, lettering
+from bgi.fonts.lettering import text as whole_text
 from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
-from bgi.memory.page import FAR
+from bgi.raster import lines
+from bgi.raster.lines import Segment
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
 
@@ -119,7 +122,8 @@ class Text(State):
 
     def outtextxy(self, x: Number, y: Number, text: str | bytes) -> None:
         """Write at x, y."""
-        left, top = whole("x", x) + self._dx, whole("y", y) + self._dy
+        left = (x if type(x) is int else whole("x", x)) + self._dx
+        top = (y if type(y) is int else whole("y", y)) + self._dy
         font, codes = self._font, encode(text)
         if font is not None:
             self._write_strokes(font, left, top, codes)
@@ -134,14 +138,21 @@ class Text(State):
         If the first one begins left of the screen, all are left out.
         """
         style, (width, height) = self.settings.text, self._cell
-        x -= _back(width * len(text), style.horiz, RIGHT_TEXT)
-        y -= height - _share(height, style.vert, TOP_TEXT)
+        length = width * len(text)
+        if style.horiz != LEFT_TEXT:
+            x -= _back(length, style.horiz, RIGHT_TEXT)
+        if style.vert != TOP_TEXT:
+            y -= height - _share(height, style.vert, TOP_TEXT)
         left, top, right, bottom = self.page.box
-        first, last = _whole_cells(x, width, len(text), left, right)
-        if x >= 0 and top <= y and y + height - 1 <= bottom and first < last:
-            shown, size = text[first:last], width // bitmap.CELL
-            mask = bitmap.mask(shown, size, height // bitmap.CELL, style.direction != HORIZ_DIR)
-            self.page.stamp(x + first * width, y, mask, self._ink)
+        if x < 0 or y < top or y + height - 1 > bottom:
+            return
+        if x < left or x + length - 1 > right:
+            first, last = _whole_cells(x, width, len(text), left, right)
+            x, text = x + first * width, text[first : max(last, 0)]
+        if text:
+            turned = style.direction != HORIZ_DIR
+            mask = bitmap.mask(text, width // bitmap.CELL, height // bitmap.CELL, turned)
+            self.page.stamp(x, y, mask, self._ink)
 
     def _write_upwards(self, x: int, y: int, text: bytes) -> None:
         """Cells on top of each other, the first one lowest; RIGHT_TEXT stands left of x, too."""
@@ -160,13 +171,27 @@ class Text(State):
         """Thin solid lines, each clipped on its own."""
         style, scale = self.settings.text, self._scale()
         vertical = style.direction == VERT_DIR
-        dx, dy = layout.anchor(font, text, scale, vertical, style.horiz, style.vert)
-        strokes = layout.segments(font, text, scale, vertical)
-        if max(abs(x), abs(y)) > FAR:
+        trace = lines.trace_rightward if self._packed else lines.trace_many
+        way = lettering(font, scale, vertical, self._xor, trace, self.mode.width)
+        drawn = whole_text(way, text, style.horiz, style.vert)
+        if drawn is not None and self.page.put_offsets(x, y, drawn, self._ink, self._xor):
             return
-        x1, y1, x2, y2 = (strokes + np.array([x + dx, y + dy] * 2)).T
-        colors = np.broadcast_to(self._ink, len(strokes))
-        self.page.line_many((x1, y1, x2, y2), colors, SOLID_MASK, self._xor)
+        dx, dy = layout.anchor(font, text, scale, vertical, style.horiz, style.vert)
+        x, y = x + dx, y + dy
+        for code in text:
+            pixels, across, down = letter(way, code)
+            if pixels is None or not self.page.put_offsets(x, y, pixels, self._ink, self._xor):
+                self._write_letter(x, y, layout.strokes(font, code, scale, vertical).tolist())
+            x, y = x + across, y + down
+
+    def _write_letter(self, x: int, y: int, strokes: list[Segment]) -> None:
+        """One letter that an edge cuts, or a large one."""
+        for x1, y1, x2, y2 in strokes:
+            line = x + x1, y + y1, x + x2, y + y2
+            if self._xor:
+                self.page.styled_line(line, self._ink, SOLID_MASK, True)
+            else:
+                self.page.line(*line, self._ink)
 
 
 def _share(length: int, justification: int, whole_at: int) -> int:

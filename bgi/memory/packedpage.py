@@ -26,6 +26,4 @@ class PackedPage(Page):
         return lines.places((y2, x2, y1, x1), self.width, 1)
 
     def _pixels_of(self, segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
-        x1, y1, x2, y2 = segments
-        y, x, step, line = lines.trace_many((y2, x2, y1, x1))
-        return x, y, step, line
+        return lines.trace_rightward(segments)

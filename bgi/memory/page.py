@@ -18,6 +18,7 @@ from bgi.raster import lines
 from bgi.raster.ellipses import Offset, Outline
 from bgi.raster.floodfill import flood
 from bgi.raster.lines import Box, Ints, Segments
+from bgi.raster.offsets import Offsets
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_MASK, SOLID_ROWS, screen_mask
 from bgi.raster.polygons import Rows
 from bgi.raster.spans import Spans
@@ -314,6 +315,27 @@ class Page:
         elif max(abs(x), abs(y)) < FAR:
             self.put_many(x + dx, y + dy, color)
 
+    def put_offsets(self, x: int, y: int, figure: Offsets, color: int, xor: bool) -> bool:
+        """Draw a kept figure at x, y; False, and nothing is drawn, if the clipping box cuts it."""
+        place, left, top, right, bottom = figure
+        if (
+            self._left <= x + left
+            and x + right <= self._right
+            and self._top <= y + top
+            and y + bottom <= self._bottom
+        ):
+            if xor:
+                self.flat[place + (y * self.width + x)] ^= color
+            else:
+                self.flat[place + (y * self.width + x)] = color
+            return True
+        return (
+            x + right < self._left
+            or x + left > self._right
+            or y + bottom < self._top
+            or y + top > self._bottom
+        )
+
     def fill_symmetric(
         self, x: int, y: int, steps: list[Offset], color: int, pattern: bytes
     ) -> None:
@@ -326,11 +348,9 @@ class Page:
         )
 
     def stamp(self, x: int, y: int, mask: Mask, color: int) -> None:
-        """Put a colour wherever `mask`, its top left corner at x, y, is True."""
-        found = _overlap(x, y, mask.shape, self.box)
-        if found:
-            here, there = found
-            np.copyto(self.array[here], color, where=mask[there])
+        """Put a colour wherever `mask`, which lies on the page with its corner at x, y, is True."""
+        height, width = mask.shape
+        self.array[y : y + height, x : x + width][mask] = color
 
     def copy(self, x: int, y: int, width: int, height: int) -> Pixels:
         """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""

@@ -156,6 +156,13 @@ def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
     return x1[line] + in_x * np.sign(dx)[line], y1[line] + in_y, step, line
 
 
+def trace_rightward(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
+    """`trace_many` for a driver that draws its lines to the right, and not down."""
+    x1, y1, x2, y2 = segments
+    y, x, step, line = trace_many((y2, x2, y1, x1))
+    return x, y, step, line
+
+
 def grouped(sizes: Ints, most: int) -> Iterator[slice]:
     """Cut a row of things into groups of at most that size together, or of one large thing."""
     ends = np.cumsum(sizes)

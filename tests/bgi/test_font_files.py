@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
 from bgi.fonts.chr import MAX_BYTES, FontError, Operation, StrokedFont, encode, parse
-from bgi.fonts.layout import SIZES, segments
+from bgi.fonts.layout import SIZES
 from bgi.fonts.table import STANDARD, FontTable
 from tests.cases import FONTS
-from tests.stroked import font_of
+from tests.stroked import font_of, segments
 
 # The format
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from bgi.fonts.chr import encode, parse
-from bgi.fonts.layout import SIZES, Scale, anchor, segments, textheight, textwidth
+from bgi.fonts.layout import SIZES, Scale, anchor, strokes, textheight, textwidth
 from bgi.fonts.table import STANDARD, FontTable
-from tests.stroked import font_of
+from tests.stroked import font_of, segments
 
 HELLO = b"Hello, World"
 FONTS = {name: FontTable().load(number) for number, name in enumerate(STANDARD, start=1)}
@@ -43,11 +43,12 @@ def test_coordinates_are_truncated_toward_zero():
     assert segments(font, b"A", Scale(-1, 2, 3, -2)).tolist() == [[0, -1, -1, 6]]
 
 
-def test_segments_are_cached_and_cannot_be_spoilt():
+def test_strokes_are_kept_and_cannot_be_spoilt():
     font = font_of([(False, 0, 0), (True, 1, 1)])
-    assert segments(font, b"A", SIZES[4]) is segments(font, b"A", SIZES[4])
+    kept = strokes(font, 65, SIZES[4], False)
+    assert strokes(font, 65, SIZES[4], False) is kept
     with pytest.raises(ValueError, match="read-only"):
-        segments(font, b"A", SIZES[4])[0, 0] = 9
+        kept[0, 0] = 9
 
 
 def test_no_text():

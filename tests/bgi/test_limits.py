@@ -9,13 +9,17 @@ import pytest
 import bgi
 from bgi import dos, mouse
 from bgi.errors import brief
-from bgi.fonts import bitmap, codepage, layout
+from bgi.fonts import bitmap, codepage, layout, lettering
 from bgi.fonts.chr import Operation
+from bgi.fonts.layout import Scale
+from bgi.fonts.lettering import Lettering, letter
+from bgi.fonts.lettering import text as whole_text
 from bgi.graphics import Graphics
 from bgi.kernel.arguments import MAX_DIMENSIONS, MAX_NUMBERS
 from bgi.kernel.state import KERNEL
 from bgi.memory.card import MAX_SIDE
 from bgi.raster import ellipses
+from bgi.raster.lines import trace_many
 from tests.stroked import font_of
 
 BILLION = 10**9
@@ -212,7 +216,7 @@ def test_the_built_in_font_has_none() -> None:
     [
         (codepage._remembered, lambda: bgi.textwidth("x" * 81)),
         (layout._known_width, lambda: bgi.textwidth("x" * 81)),
-        (layout._remembered, lambda: bgi.outtextxy(0, 0, "x" * 81)),
+        (lettering._known_text, lambda: bgi.outtextxy(0, 0, "x" * 81)),
         (bitmap._remembered, lambda: bitmap.mask(b"x" * 80, 4, 4)),
         (ellipses._known_outline, lambda: bgi.circle(1, 1, 1025)),
         (ellipses._known_steps, lambda: bgi.fillellipse(1, 1, 5, 1025)),
@@ -226,22 +230,38 @@ def test_what_is_large_is_not_kept(cache: object, call: Callable[[], object]) ->
 
 
 def test_letters_with_thousands_of_strokes_are_not_kept() -> None:
-    letter = [
-        Operation(True, number % 64, number // 64) for number in range(layout.KEPT_OF_A_LETTER)
-    ]
+    strokes = [Operation(True, number % 64, number // 64) for number in range(layout.KEPT_STROKES)]
     for name, extra in ("KEEP", 0), ("DROP", 1):
-        font = font_of([*letter, *letter[:extra]], name=name)
-        layout._known_glyph.cache_clear()
-        layout._remembered.cache_clear()
-        lines = layout.segments(font, b"A" * 65, layout.SIZES[4])
-        assert len(lines) == 65 * (len(letter) + extra - 1)
-        assert layout._known_glyph.cache_info().currsize == (extra == 0)
-        assert layout._remembered.cache_info().currsize == 0
-    assert layout.segments(font, b"A" * 63, layout.SIZES[4]).nbytes <= 32 * layout.KEPT_OF_A_TEXT
-    assert layout._remembered.cache_info().currsize == 1
+        font = font_of([*strokes, *strokes[:extra]], name=name)
+        layout._known_strokes.cache_clear()
+        lines = layout.strokes(font, 65, layout.SIZES[4], False)
+        assert len(lines) == len(strokes) + extra - 1
+        assert layout._known_strokes.cache_info().currsize == (extra == 0)
+
+
+@pytest.mark.parametrize(("length", "kept"), [(2047, True), (2048, False)])
+def test_the_pixels_of_large_letters_are_not_kept(length: int, kept: bool) -> None:
+    font = font_of([Operation(False, 0, 0), Operation(True, 1, 0)])
+    way = Lettering(font, Scale(length, 1, 1, 1), False, False, trace_many, 640)
+    assert (letter(way, 65).pixels is not None) == kept
+
+
+@pytest.mark.parametrize(("letters", "kept"), [(4, True), (5, False), (81, False)])
+def test_the_pixels_of_large_texts_are_not_kept(letters: int, kept: bool) -> None:
+    font = font_of([Operation(False, 0, 0), Operation(True, 1, 0)])
+    way = Lettering(font, Scale(2047, 1, 1, 1), False, False, trace_many, 640)
+    assert (whole_text(way, b"A" * letters, 0, 2) is not None) == kept
+
+
+def test_a_text_of_large_letters_is_drawn() -> None:
+    bgi.settextstyle(bgi.SANS_SERIF_FONT, 0, bgi.USER_CHAR_SIZE)
+    bgi.setusercharsize(400, 1, 1, 1)
+    bgi.outtextxy(-790, 0, "-" * 81)  # whose first stroke begins at 800
+    line = [bgi.getpixel(x, bgi.textheight("-") - 9) for x in range(640)]
+    assert line == [bgi.BLACK] * 10 + [bgi.WHITE] * 630
 
 
 @pytest.mark.parametrize("number", range(1, 11))
 def test_letters_of_the_fonts_that_come_along_are_kept(number: int) -> None:
     font = KERNEL.fonts.load(number, "")
-    assert font is not None and 0 < font.longest <= layout.KEPT_OF_A_LETTER
+    assert font is not None and 0 < font.longest <= layout.KEPT_STROKES

@@ -7,13 +7,15 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from bgi import CGA, CGAC0, CGAHI, VGA, VGAHI
+from bgi import CGA, CGAC0, CGAHI, COLOR, VGA, VGAHI
+from bgi.fonts.layout import Scale, anchor
 from bgi.graphics import Graphics
 from bgi.graphics.pen import FEW
 from bgi.kernel.arguments import LIMIT
-from bgi.kernel.modes import find
+from bgi.kernel.modes import find, window
 from bgi.kernel.state import KERNEL
 from bgi.raster import polygons
+from tests.stroked import segments
 
 LEFT, TOP, RIGHT, BOTTOM = 40, 30, 139, 99
 near = st.integers(-60, 160)
@@ -181,6 +183,37 @@ def test_any_text_is_legal(x, y, text):
     made.moveto(x, y)
     made.outtext(text)
     assert (outside(made) == before).all()
+
+
+@settings(quick, max_examples=200)
+@given(data=st.data(), mode=st.one_of(modes, st.none()), write_mode=st.integers(0, 1))
+def test_stroked_text_is_its_lines_drawn_one_by_one(data, mode, write_mode):
+    font, direction = data.draw(st.integers(1, 10)), data.draw(st.integers(0, 1))
+    size, factors = data.draw(st.integers(0, 5)), st.integers(1, 7)
+    horiz, vert = data.draw(st.integers(0, 2)), data.draw(st.integers(0, 2))
+    text = data.draw(st.binary(max_size=6))
+    pictures = []
+    KERNEL.user_scale = Scale(*(data.draw(factors) for _ in "xdyd"))
+    places = data.draw(st.lists(st.tuples(near, near), min_size=1, max_size=3))
+    for by_lines in (False, True):
+        made = screen((0, 0, 1, write_mode, 1), mode=mode or (VGA, VGAHI))
+        if mode is None:
+            made = Graphics(window(320, 240))
+            made.setwritemode(write_mode)
+            made.setcolor(COLOR(1, 2, 3))
+            made.setviewport(LEFT, TOP, RIGHT, BOTTOM, 1)
+        made.settextstyle(font, direction, size)
+        made.settextjustify(horiz, vert)
+        for x, y in places:
+            if not by_lines:
+                made.outtextxy(x, y, text)
+                continue
+            look = made._font, text, made._scale(), direction == 1
+            dx, dy = anchor(*look, horiz, vert)
+            for line in (segments(*look) + [x + dx, y + dy] * 2).tolist():
+                made.line(*line)
+        pictures.append(made.page.array)
+    assert (pictures[0] == pictures[1]).all()
 
 
 WRONG = ["12", None, float("nan"), float("inf"), {}, object(), b"1", 1j]

@@ -1,0 +1,93 @@
+"""Stroked letters as pixels, kept: those of one font, size and direction, and texts made of them.
+
+A letter is drawn from its strokes once, and then from its offsets wherever the pen begins. Where an
+edge cuts it the strokes are clipped, one by one, and their pixels may be others: that is not kept.
+"""
+
+from collections.abc import Callable
+from functools import lru_cache
+from itertools import accumulate
+from operator import add
+from typing import NamedTuple
+
+import numpy as np
+
+from bgi.fonts import layout
+from bgi.fonts.chr import StrokedFont
+from bgi.fonts.codepage import REMEMBERED
+from bgi.fonts.layout import Scale
+from bgi.raster.lines import Ints, Segments
+from bgi.raster.offsets import Offsets, each_once, reach
+
+KEPT_OF_A_LETTER, KEPT_OF_A_TEXT = 2048, 8192
+"""Pixels of a letter and of a text that are kept, eight bytes each; larger ones are not. All that
+is kept takes at most 32 and 8 megabytes."""
+
+Trace = Callable[[Segments], tuple[Ints, Ints, Ints, Ints]]
+"""How a page draws lines, as `bgi.raster.lines.trace_many` does."""
+
+
+class Lettering:
+    """A way to draw letters: equal to itself only, a quick key for caches."""
+
+    def __init__(
+        self, font: StrokedFont, scale: Scale, vertical: bool, xor: bool, trace: Trace, width: int
+    ) -> None:
+        """In a font, size and direction, on pages of that width, by XOR or not."""
+        self.font, self.scale, self.vertical = font, scale, vertical
+        self.xor, self.trace, self.width = xor, trace, width
+
+
+lettering = lru_cache(maxsize=64)(Lettering)
+
+
+class Letter(NamedTuple):
+    """A letter's pixels, seen from where the pen begins; how far the pen moves on."""
+
+    pixels: Offsets | None
+    """None if there are too many to keep."""
+    across: int
+    down: int
+
+
+@lru_cache(maxsize=2048)
+def letter(way: Lettering, code: int) -> Letter:
+    """One letter."""
+    advance = layout.advance(way.font, code, way.scale)
+    move = (0, -advance) if way.vertical else (advance, 0)
+    strokes = layout.strokes(way.font, code, way.scale, way.vertical)
+    x1, y1, x2, y2 = strokes.T
+    if (np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1).sum() > KEPT_OF_A_LETTER:
+        return Letter(None, *move)
+    x, y, _, _ = way.trace((x1, y1, x2, y2))
+    return Letter(Offsets(each_once(y * way.width + x, way.xor), *reach(x, y)), *move)
+
+
+def text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | None:
+    """A justified text, seen from its point; None if it is too large to be kept."""
+    return _known_text(way, codes, horiz, vert) if len(codes) <= REMEMBERED else None
+
+
+@lru_cache(maxsize=128)
+def _known_text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | None:
+    letters = [letter(way, code) for code in codes]
+    pixels = [one.pixels for one in letters]
+    if not pixels or None in pixels:
+        return None
+    place, left, top, right, bottom = zip(*pixels, strict=True)
+    _, across, down = zip(*letters, strict=True)
+    counts = list(map(len, place))
+    if sum(counts) > KEPT_OF_A_TEXT:
+        return None
+    x, y = layout.anchor(way.font, codes, way.scale, way.vertical, horiz, vert)
+    xs, ys = list(accumulate(across[:-1], initial=x)), list(accumulate(down[:-1], initial=y))
+    starts = [x + y * way.width for x, y in zip(xs, ys, strict=True)]
+    places = np.concatenate(place)
+    places += np.array(starts).repeat(counts)
+    return Offsets(
+        each_once(places, True) if way.xor else places,
+        min(map(add, xs, left)),
+        min(map(add, ys, top)),
+        max(map(add, xs, right)),
+        max(map(add, ys, bottom)),
+    )

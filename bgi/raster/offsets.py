@@ -1,0 +1,40 @@
+"""Figures kept as offsets: their pixels as places on a page, seen from one place of theirs.
+
+A figure that is drawn again and again is the same pixels elsewhere, as long as no edge cuts its
+lines: then to draw it is one addition and one assignment, for all of its pixels at once.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bgi.raster.lines import Ints
+
+Reach = tuple[int, int, int, int]
+"""Left, top, right and bottom, all inside."""
+
+_FAR = 1 << 62
+NOTHING: Reach = _FAR, _FAR, -_FAR, -_FAR
+"""The reach of no pixels, which lie inside of everything."""
+
+
+class Offsets(NamedTuple):
+    """A figure's pixels, and how far they reach."""
+
+    place: Ints
+    """y * width + x of each, on pages of one width."""
+    left: int
+    top: int
+    right: int
+    bottom: int
+
+
+def reach(x: Ints, y: Ints) -> Reach:
+    """How far pixels reach."""
+    return (int(x.min()), int(y.min()), int(x.max()), int(y.max())) if len(x) else NOTHING
+
+
+def each_once(place: Ints, xor: bool) -> Ints:
+    """Every place that is drawn, once; by XOR none that is drawn an even number of times."""
+    places, times = np.unique(place, return_counts=True)
+    return places[times % 2 == 1] if xor else places
