@@ -68,6 +68,7 @@ LAYERS = [
     "bgi.current",
     "bgi.conio",
     "bgi.dos",
+    "bgi.stdlib",
     "bgi.keyboard",
     "bgi.mouse",
     "bgi.api.",
