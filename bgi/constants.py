@@ -89,6 +89,20 @@ MAXCOLORS = 15
 # Added to a colour, makes text blink: in text modes only
 BLINK = 128
 
+# A text mode (text_modes)
+LASTMODE = -1
+BW40 = 0
+C40 = 1
+BW80 = 2
+C80 = 3
+MONO = 7
+C4350 = 64
+
+# A shape of the text cursor, for _setcursortype
+_NOCURSOR = 0
+_SOLIDCURSOR = 1
+_NORMALCURSOR = 2
+
 # A colour in one of the CGA's four palettes (CGA_COLORS)
 CGA_LIGHTGREEN = 1
 CGA_LIGHTRED = 2

@@ -1,8 +1,9 @@
-"""The screens that are open, and the one that the module-level functions draw on.
+"""The screens that are open, and the one that the module-level functions reach.
 
-`screen` is what a call reaches. While there is none to reach, before initgraph, in text mode, or
-after the window was closed, a stand-in sits there whose every use raises the right error; so the
-drawing functions need not look. Screens are numbered as they open, like WinBGIm's windows.
+`screen` is what a call of graphics.h reaches. While there is none to reach, before initgraph, in a
+text mode, or after the window was closed, a stand-in sits there whose every use raises the right
+error; so the drawing functions need not look. `crt` is what a call of conio.h reaches, once there
+is one: see `console`. Screens are numbered as they open, like WinBGIm's windows.
 """
 
 from __future__ import annotations
@@ -11,16 +12,19 @@ import functools
 import os
 import threading
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import NoReturn, cast
 
-from bgi.constants import ALL_WINDOWS, CURRENT_WINDOW, NO_CURRENT_WINDOW
+from bgi.console.crt import Crt
+from bgi.constants import ALL_WINDOWS, C80, CURRENT_WINDOW, NO_CURRENT_WINDOW
 from bgi.errors import BGIError, TimeIsUp
 from bgi.graphics import Graphics
 from bgi.graphics.strict import Strict
 from bgi.kernel.modes import GraphicsMode
 from bgi.kernel.state import KERNEL
+from bgi.kernel.textmodes import TEXT_MODES, TextMode
 from bgi.memory.card import CAPACITY, Card
-from bgi.monitor import choose
+from bgi.monitor import Monitor, choose
 from bgi.monitor.ending import follow_program, interrupt
 from bgi.monitor.protocol import TITLE
 
@@ -35,8 +39,21 @@ class _Absent:
         raise self._error()
 
 
-def _absent(error: Callable[[], BGIError]) -> Graphics:
-    return cast(Graphics, _Absent(error))
+class _TextScreen(_Absent):
+    """Stands there in a text mode: of all that a screen has there is the monitor, and its keys."""
+
+    def __init__(self, error: Callable[[], BGIError], monitor: Monitor) -> None:
+        super().__init__(error)
+        self.monitor = monitor
+
+
+class _Nothing(_Absent):
+    """Stands there before anything is open: who asks for a key gets a text screen for it."""
+
+    @property
+    def monitor(self) -> Monitor:
+        console()
+        return screen.monitor
 
 
 def _not_loaded() -> BGIError:
@@ -44,89 +61,191 @@ def _not_loaded() -> BGIError:
     return BGIError(f"BGI Error: Graphics not initialized (use 'initgraph'){why}")
 
 
-_NOT_LOADED = _absent(_not_loaded)
-_TEXT_MODE = _absent(lambda: BGIError("BGI Error: Not in graphics mode"))
-_IN_A_FORK = _absent(
-    lambda: BGIError(
+def _text_mode() -> BGIError:
+    return BGIError("BGI Error: Not in graphics mode")
+
+
+def _in_a_fork() -> BGIError:
+    return BGIError(
         "the window belongs to the process that opened it, this is a fork of it: "
         "initgraph() opens one of its own"
     )
-)
 
-# The program's own thread writes all of these. A monitor's thread writes `_reached` and `screen`,
-# too, when its window is lost (`_lost`): by single assignments, so that no lock is needed.
+
+_NOT_LOADED = cast(Graphics, _Nothing(_not_loaded))
+_IN_A_FORK = cast(Graphics, _Absent(_in_a_fork))
+
+
+@dataclass(eq=False)
+class Adapter:
+    """What a window is made of: a card, the monitor on it, and what is shown there."""
+
+    card: Card
+    monitor: Monitor
+    reached: Graphics = _NOT_LOADED
+    """What a call of graphics.h reaches once this is the current one: `graphics`, or a stand-in."""
+    graphics: Graphics | None = None
+    """The graphics screen; in a text mode the one that setgraphmode() leads back to."""
+    crt: Crt | None = None
+    """The text screen, from when it is first used."""
+    lost: BGIError | None = None
+    """Why the window is gone."""
+
+    def enter_graphics(self, mode: GraphicsMode) -> None:
+        """Set a graphics mode."""
+        new = Graphics(mode, self.card, self.monitor)
+        if self.graphics is not None:
+            new.path = self.graphics.path
+        self.graphics = self.reached = new
+        if self.crt is not None:
+            self.crt.enter_graphics(new)
+
+    def enter_text(self, mode: TextMode | None = None) -> None:
+        """Set a text mode, by default the last one."""
+        if self.reached is self.graphics:
+            self.monitor.keep_picture()
+        why = _not_loaded if self.graphics is None else _text_mode
+        self.reached = cast(Graphics, _TextScreen(why, self.monitor))
+        crt = self.crt = self.crt or Crt(self.card)
+        crt.enter_text(mode or crt.mode)
+
+    def use_text(self) -> Crt:
+        """The text screen, over the picture while a graphics mode is set."""
+        if self.crt is None:
+            if self.graphics is None:
+                self.enter_text()
+            else:
+                self.crt = Crt(self.card)
+                self.crt.enter_graphics(self.graphics)
+        assert self.crt is not None
+        return self.crt
+
+
+# The program's own thread writes all of these. A monitor's thread writes `reached`, `screen` and
+# `crt`, too, when its window is lost (`_lost`): by single assignments, so that no lock is needed.
 screen: Graphics = _NOT_LOADED
-"""What a call reaches: the current screen, or a stand-in."""
+"""What a call of graphics.h reaches: the current screen, or a stand-in."""
+crt: Crt | None = None
+"""The current text screen, if it is in use; `console` begins to use it."""
 number: int = NO_CURRENT_WINDOW
 """Which screen is current."""
-_open: dict[int, Graphics] = {}
+_open: dict[int, Adapter] = {}
 """The open screens by number; one in text mode or without its window is open, too."""
-_reached: dict[int, Graphics] = {}
-"""What a call to each open screen reaches once it is current: itself, or a stand-in."""
 
 
-_parents: list[Graphics] = []
+_parents: list[Adapter] = []
 """In a fork, the screens of the process it was made from: kept, and never touched."""
 
 
 def _leave_to_parent() -> None:
     """In a fork: the screens that are open are the parent's, and so is their memory."""
-    global screen, number
+    global screen, crt, number
     if _open:
         _parents.extend(_open.values())
         _open.clear()
-        _reached.clear()
-        number, screen = NO_CURRENT_WINDOW, _IN_A_FORK
+        number, screen, crt = NO_CURRENT_WINDOW, _IN_A_FORK, None
 
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_leave_to_parent)
 
 
+def is_open() -> bool:
+    """Whether there is a current screen, if only of text, or one whose window is gone."""
+    return number in _open
+
+
 def loaded() -> Graphics | None:
-    """The current screen, even while it is in text mode or its window gone."""
-    return _open.get(number)
+    """The current graphics screen, even while it is in text mode or its window gone."""
+    here = _open.get(number)
+    return here.graphics if here else None
 
 
 def reachable() -> Graphics:
-    """The current screen, in text mode too; raises as any call does if there is none."""
-    return _open[number] if screen is _TEXT_MODE else screen
+    """The current graphics screen, in text mode too; raises as any call does if there is none."""
+    here = _open.get(number)
+    if here is None or here.lost or here.graphics is None:
+        return screen
+    return here.graphics
+
+
+def console() -> Crt:
+    """The current text screen; the first use opens a window for it where there is none.
+
+    Over a picture it is the BIOS's. Raises as any call does once the window is gone.
+    """
+    here = _open.get(number)
+    if here is None or here.lost:
+        if screen is not _NOT_LOADED:
+            return cast(Crt, screen.mode)  # raises
+        here = _open_adapter(None)
+    found = here.use_text()
+    _aim()
+    return found
+
+
+def set_text_mode(mode: TextMode | None) -> None:
+    """Enter a text mode, None for the last one; a graphics screen stays loaded."""
+    console()
+    _open[number].enter_text(mode)
+    _aim()
 
 
 def open_screen(mode: GraphicsMode) -> Graphics:
     """Enter a mode: on the current screen, or on a new one if there is none or its window gone."""
-    here = loaded()
-    if here is None or _reached[number] not in (here, _TEXT_MODE):
+    here = _open.get(number)
+    if here is None or here.lost:
         close_screen(CURRENT_WINDOW)
         open_window(mode)
     else:
-        _enter(here, mode)
-    return _open[number]
-
-
-def _enter(here: Graphics, mode: GraphicsMode) -> None:
-    """Enter a mode on the current screen's card."""
-    new = Graphics(mode, here.card, here.monitor)
-    new.path = here.path
-    _open[number] = new
-    _reach(number, new)
+        here.enter_graphics(mode)
+        _aim()
+    KERNEL.why_no_screen = ""
+    found = loaded()
+    assert found is not None
+    return found
 
 
 def open_window(mode: GraphicsMode, title: str = TITLE) -> int:
-    """Open another screen with a monitor of its own, and make it the current one."""
+    """Open another screen with a monitor of its own, and make it the current one.
+
+    A screen that has shown text only gives way to it, as it would to initgraph().
+    """
+    here = _open.get(number)
+    if here is not None and here.graphics is None:
+        close_screen(CURRENT_WINDOW)
+    _open_adapter(mode, title)
+    KERNEL.why_no_screen = ""
+    return number
+
+
+def _open_adapter(mode: GraphicsMode | None, title: str = TITLE) -> Adapter:
+    """Open a window in a graphics mode, or in the usual text mode; make it the current one."""
     _follow_program()
     new = next(n for n in range(len(_open) + 1) if n not in _open)
+    card = _card_for(mode)
+    beside = next((other.monitor for other in _open.values()), None)
+    adapter = Adapter(card, choose(card, title, lambda error: _lost(new, error), beside))
+    if mode is None:
+        adapter.enter_text()
+    else:
+        adapter.enter_graphics(mode)
+    _open[new] = adapter
+    select(new)
+    adapter.monitor.key_waiting()  # raises if the window was closed as soon as it opened
+    return adapter
+
+
+def _card_for(mode: GraphicsMode | None) -> Card:
+    """A card that is in that mode already: so the window opens in the right size."""
+    if mode is None:
+        card, text = Card(), TEXT_MODES[C80]
+        card.set_text_mode(text.columns, text.rows, text.cell_height)
+        return card
     needed = mode.width * mode.height * mode.pages * mode.pixel_bytes
     card = Card(max(needed, CAPACITY))
     card.set_mode(mode.width, mode.height, mode.pages, mode.pixel_bytes, mode.square)
-    beside = next((other.monitor for other in _open.values()), None)
-    monitor = choose(card, title, lambda error: _lost(new, error), beside)
-    _open[new] = Graphics(mode, card, monitor)
-    _reach(new, _open[new])
-    select(new)
-    KERNEL.why_no_screen = ""
-    monitor.key_waiting()  # raises if the window was closed as soon as it opened
-    return new
+    return card
 
 
 @functools.cache  # once is enough
@@ -143,9 +262,23 @@ def select(which: int) -> None:
 
 
 def leave_graphics() -> None:
-    """Go to text mode: the screen stays loaded, and dark."""
-    _enter(screen, screen.mode)
-    _reach(number, _TEXT_MODE)
+    """Go to text mode: the screen stays loaded."""
+    _ = screen.mode  # raises if there is none
+    _open[number].enter_text()
+    _aim()
+
+
+def close_graphics() -> None:
+    """Let go of all graphics screens; the current one's window stays if it has shown text, too."""
+    here = _open.get(number)
+    stays = here is not None and here.crt is not None and not here.lost
+    for which in [which for which, one in _open.items() if not (stays and one is here)]:
+        close_screen(which)
+    if stays and here is not None and here.graphics is not None:
+        here.enter_text()
+        here.graphics = None
+        here.reached = cast(Graphics, _TextScreen(_not_loaded, here.monitor))
+        _aim()
 
 
 def close_screen(which: int = ALL_WINDOWS) -> None:
@@ -156,7 +289,6 @@ def close_screen(which: int = ALL_WINDOWS) -> None:
     everyone = sorted(_open, key=lambda one: one == number)
     for closing in everyone if which == ALL_WINDOWS else [which]:
         gone = _open.pop(closing, None)
-        _reached.pop(closing, None)
         if gone is not None:
             gone.monitor.close()
             gone.card.close()
@@ -171,23 +303,23 @@ def be_strict(on: bool) -> None:
     _aim()
 
 
-def _reach(which: int, target: Graphics) -> None:
-    _reached[which] = target
-    _aim()
-
-
 def _aim() -> None:
     """Have the calls reach what belongs to the current screen."""
-    global screen
-    target = _reached.get(number, _NOT_LOADED)
+    global screen, crt
+    here = _open.get(number)
+    target = here.reached if here else _NOT_LOADED
     strict = KERNEL.result.strict and isinstance(target, Graphics)
     screen = cast(Graphics, Strict(target)) if strict else target
+    crt = here.crt if here and not here.lost else None
 
 
 def _lost(which: int, error: BGIError) -> None:
     """A window is gone (called by its monitor, mostly by a thread of it): the next call says so."""
-    if which in _open:
-        _reach(which, _absent(lambda: error.with_traceback(None)))
+    gone = _open.get(which)
+    if gone is not None:
+        gone.reached = cast(Graphics, _Absent(lambda: error.with_traceback(None)))
+        gone.lost = error
+        _aim()
         if (
             isinstance(error, TimeIsUp)
             and threading.current_thread() is not threading.main_thread()

@@ -79,10 +79,10 @@ def _wait(name: str, time: Number, unit: int) -> None:
     wait = real(name, time) * unit
     if not 0 <= wait <= LONGEST:
         raise ValueError(f"{name} must be a finite number of 0 or more, at most {LONGEST // unit}")
-    if current.loaded() is None:
-        _time.sleep(wait / 1000)
-    else:
+    if current.is_open():
         current.screen.monitor.sleep(wait)
+    else:
+        _time.sleep(wait / 1000)
 
 
 def gettime() -> time:
@@ -121,8 +121,7 @@ def biostime(cmd: Number, newtime: Number = 0) -> int:
 
 def _now() -> float:
     """Seconds since 1970, by the monitor's clock where there is one: without a window it counts."""
-    here = current.loaded()
-    return moment.now() if here is None else current.reachable().monitor.time()
+    return current.screen.monitor.time() if current.is_open() else moment.now()
 
 
 def _local(now: float) -> _time.struct_time:
@@ -148,7 +147,8 @@ def sound(frequency: Number) -> None:
 
 def nosound() -> None:
     """Turn the speaker off. Source: dos.h."""
-    current.screen.monitor.sound(0)
+    if current.is_open():
+        current.screen.monitor.sound(0)
 
 
 # Chance: Borland's linear congruential generator, which multiplies and adds; its upper bits count

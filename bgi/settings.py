@@ -83,6 +83,23 @@ class palettetype:
 
 
 @dataclass(slots=True)
+class text_info:
+    """What gettextinfo() returns: the window, attributes, mode and size, and the cursor in it."""
+
+    winleft: int
+    wintop: int
+    winright: int
+    winbottom: int
+    attribute: int
+    normattr: int
+    currmode: int
+    screenheight: int
+    screenwidth: int
+    curx: int
+    cury: int
+
+
+@dataclass(slots=True)
 class Settings:
     """Everything that graphdefaults() puts back, except the palette."""
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 import pytest
 
 import bgi
+from bgi import current
 from bgi.graphics import Graphics
 from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
@@ -23,7 +24,7 @@ def _fresh() -> Iterator[None]:
     """Begin each test with a fresh kernel and without a screen, and end it so."""
     KERNEL.reset()
     yield
-    bgi.closegraph()
+    current.close_screen()
     KERNEL.reset()
 
 

@@ -22,6 +22,7 @@ LAYERS = [
     "bgi.clib.reading",
     "bgi.clib.printf",
     "bgi.clib.",
+    "bgi.kernel.textmodes",
     "bgi.raster.lines",
     "bgi.raster.offsets",
     "bgi.raster.brush",
@@ -35,8 +36,10 @@ LAYERS = [
     "bgi.memory.sdl",
     "bgi.machine",
     "bgi.memory.operators",
+    "bgi.memory.scrolling",
     "bgi.memory.page",
     "bgi.memory.packedpage",
+    "bgi.memory.cells",
     "bgi.memory.matching",
     "bgi.memory.gif",
     "bgi.memory.jpeg",
@@ -65,7 +68,12 @@ LAYERS = [
     "bgi.graphics.images",
     "bgi.graphics",
     "bgi.graphics.strict",
+    "bgi.console.glyphs",
+    "bgi.console.bios",
+    "bgi.console.crt",
+    "bgi.console",
     "bgi.current",
+    "bgi.conio.",
     "bgi.conio",
     "bgi.dos",
     "bgi.stdlib",
@@ -208,7 +216,7 @@ def test_raster_is_pure():
 
 def test_only_pages_set_pixels():
     """No other drawing module writes into pixel memory."""
-    pages = ("bgi.memory.page", "bgi.memory.packedpage")
+    pages = ("bgi.memory.page", "bgi.memory.packedpage", "bgi.memory.cells")
     for name, path in MODULES:
         if name.startswith("bgi.") and name not in pages:
             text = path.read_text("utf-8")

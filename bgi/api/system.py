@@ -100,12 +100,14 @@ SMALLEST = 64
 
 
 def closegraph() -> None:
-    """Close the graphics screen and its window.
+    """Close the graphics screen, and its window unless the program has written text there.
 
-    Never fails: without a screen, or after the user has closed the window, it does nothing.
-    Drawing afterwards raises BGIError until the next initgraph.
+    A program that has used conio.h or stdio.h goes back to its text screen, which is empty, in the
+    same window; that stays until the program ends. Never fails: without a screen, or after the user
+    has closed the window, it does nothing. Drawing afterwards raises BGIError until the next
+    initgraph.
     """
-    current.close_screen()
+    current.close_graphics()
 
 
 def setgraphmode(mode: Number) -> None:
@@ -126,7 +128,7 @@ def setgraphmode(mode: Number) -> None:
 
 
 def restorecrtmode() -> None:
-    """Go back to the text screen, which is dark here; graphics stays loaded.
+    """Go back to the text screen, which is empty; graphics stays loaded.
 
     Drawing now raises BGIError("BGI Error: Not in graphics mode"), until setgraphmode() leads
     back.

@@ -14,20 +14,27 @@ Layout, little-endian, for whoever wants to write another monitor:
     offset  size  field
     ======  ====  ======================================================================
          0     8  magic, the bytes `BGICARD` and a zero
-         8     4  version of this layout: 1
-        12     4  width in pixels; 0 = no mode is set, show nothing
-        16     4  height in pixels
+         8     4  version of this layout: 2
+        12     4  width in pixels, in a text mode in characters; 0 = no mode is set, show nothing
+        16     4  height, likewise
         20     4  number of pages
-        24     4  bytes per pixel: 1 or 4
+        24     4  bytes per pixel: 1 or 4; 2 = a text mode, whose cells have two bytes
         28     4  visible page, 0 ... pages - 1
         32     4  changes: grows (modulo 2**32) with every change of mode or visible page
         36     4  1 if pixels are square, 0 if the page fills a monitor of 4:3
+        40     4  in a text mode: height of a character, 8, 14 or 16 pixels
+        44     4  the cell of the cursor, counted row by row; beyond the last: no cursor
+        48     4  the shape of the cursor: 256 * its first row of pixels + its last
+        52     4  what bit 7 of an attribute means: 0 = blinking, 1 = a bright background, 2 =
+                  blinking, and the other bits are those of a monochrome monitor
         64   768  palette: 256 times red, green, blue
       4096        pixels: page after page, rows from top to bottom, no padding
     ======  ====  ======================================================================
 
 A pixel of one byte is an index into the palette. One of four bytes is a little-endian number: below
-16 it is an index too, and any other value is a colour in its low 24 bits, red lowest.
+16 it is an index too, and any other value is a colour in its low 24 bits, red lowest. A cell of a
+text mode is a character of code page 437 and its attribute: the index of its colour in bits 0 to 3,
+of its background in bits 4 to 6, blinking in bit 7. Characters are 8 pixels wide.
 
 A change of mode writes the width last and sets it to 0 first. A monitor that finds the same header
 twice in a row has therefore not read half of one.
@@ -44,31 +51,56 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 import numpy.typing as npt
 
+from bgi.kernel.textmodes import CELL_WIDTH
+
 MAGIC = b"BGICARD\0"
-VERSION = 1
+VERSION = 2
 DEPTHS = (1, 4)  # bytes per pixel
+CELL_BYTES = 2
+CELL_HEIGHTS = (8, 14, 16)
 MAX_SIDE = 4096  # pixels: no mode is wider or higher; a header that says so is damaged
 CAPACITY = 2 * 1024 * 768  # bytes of pixels that every card holds: two pages of the largest mode
+NO_CURSOR = 0xFFFFFFFF  # the cell of a cursor that is not shown: beyond any last one
 ATTEMPTS = 10  # at a copy of a page, while the program changes the visible page all the time
 
 # Offsets.
 _AT_WIDTH, _AT_HEIGHT, _AT_PAGES, _AT_PIXEL_BYTES = 12, 16, 20, 24
 _AT_VISIBLE, _AT_CHANGES, _AT_SQUARE = 28, 32, 36
+_AT_CELL_HEIGHT, _AT_CURSOR, _AT_ATTRIBUTES = 40, 44, 52
 AT_PALETTE, PALETTE_BYTES = 64, 256 * 3
 AT_PIXELS = 4096
 
-_HEADER = struct.Struct("<8s8I")  # magic and the eight numbers that follow it
+_HEADER = struct.Struct("<8s12I")  # magic and the twelve numbers that follow it
 _U32 = struct.Struct("<I")
 
 
+class TextFrame(NamedTuple):
+    """What a frame of a text mode has beside its cells."""
+
+    columns: int
+    rows: int
+    cell_height: int
+    cursor: int
+    """The cell that the cursor is in; beyond the last one: none."""
+    shape: int
+    attributes: int
+    phase: int = 0
+    """What is dark just now of all that blinks: 1 the cursor, 2 characters too."""
+
+
 class Frame(NamedTuple):
-    """What there is to see at a moment: a mode, and a copy of the visible page."""
+    """What there is to see at a moment: a mode, and a copy of the visible page.
+
+    Width and height are those of the picture in pixels, also in a text mode, whose `pixels` are the
+    bytes of its cells.
+    """
 
     width: int
     height: int
     pixel_bytes: int
     square: bool
     pixels: bytes
+    text: TextFrame | None = None
 
 
 class Card:
@@ -85,7 +117,7 @@ class Card:
         else:
             fd = _anonymous_file(size)
             self._take(mmap.mmap(fd, size), f"fd:{fd}:{size}", fd)
-        _HEADER.pack_into(self._map, 0, MAGIC, VERSION, 0, 0, 0, 1, 0, 0, 0)
+        _HEADER.pack_into(self._map, 0, MAGIC, VERSION, 0, 0, 0, 1, *[0] * 7)
 
     @classmethod
     def attach(cls, handle: str) -> Self:
@@ -124,11 +156,32 @@ class Card:
         that the page is not to be stretched to 4:3. Raises ValueError when the mode does not fit
         into the card.
         """
+        if pixel_bytes not in DEPTHS:
+            raise ValueError(f"a pixel has 1 or 4 bytes, not {pixel_bytes}")
+        self._set_shape(width, height, pages, pixel_bytes, square=square)
+
+    def set_text_mode(self, columns: int, rows: int, cell_height: int, attributes: int = 0) -> None:
+        """Give the memory the shape of a text mode, one page of zero bytes, without a cursor.
+
+        ValueError when there is no such mode.
+        """
+        if cell_height not in CELL_HEIGHTS:
+            raise ValueError(f"a character is 8, 14 or 16 pixels high, not {cell_height}")
+        self._set_shape(columns, rows, 1, CELL_BYTES, cell_height, attributes)
+
+    def _set_shape(
+        self,
+        width: int,
+        height: int,
+        pages: int,
+        pixel_bytes: int,
+        cell_height: int = 0,
+        attributes: int = 0,
+        square: bool = False,
+    ) -> None:
         used = width * height * pages * pixel_bytes
         if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE and pages > 0):
             raise ValueError(f"no mode has {pages} pages of {width} x {height} pixels")
-        if pixel_bytes not in DEPTHS:
-            raise ValueError(f"a pixel has 1 or 4 bytes, not {pixel_bytes}")
         if used > self.capacity:
             raise ValueError(
                 f"{pages} pages of {width} x {height} pixels need {used} bytes, "
@@ -140,6 +193,9 @@ class Card:
         self._set(_AT_PAGES, pages)
         self._set(_AT_PIXEL_BYTES, pixel_bytes)
         self._set(_AT_SQUARE, square)
+        self._set(_AT_CELL_HEIGHT, cell_height)
+        self._set(_AT_ATTRIBUTES, attributes)
+        self._set(_AT_CURSOR, NO_CURSOR)
         self._set(_AT_VISIBLE, 0)
         self.touch()
         self._set(_AT_WIDTH, width)
@@ -189,6 +245,20 @@ class Card:
         self._set(_AT_VISIBLE, self._existing(number))
         self.touch()
 
+    @property
+    def cursor(self) -> memoryview:
+        """The text cursor's cell and shape, two numbers: a view, write to it."""
+        return memoryview(self._map)[_AT_CURSOR : _AT_CURSOR + 8].cast("I")
+
+    @property
+    def attributes(self) -> int:
+        """What the attributes of a text mode mean: see the layout."""
+        return self._get(_AT_ATTRIBUTES)
+
+    @attributes.setter
+    def attributes(self, number: int) -> None:
+        self._set(_AT_ATTRIBUTES, number)
+
     def touch(self) -> None:
         """Count one more change."""
         self._set(_AT_CHANGES, (self.changes + 1) & 0xFFFFFFFF)
@@ -218,14 +288,20 @@ class Card:
         return None
 
     def _copy(self, header: tuple[Any, ...]) -> Frame | None:
-        _, _, width, height, pages, pixel_bytes, visible, _, square = header
+        _, _, width, height, pages, pixel_bytes, visible, _, square, cell, *text = header
         size = width * height * pixel_bytes
         if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE and visible < pages):
             return None
-        if pixel_bytes not in DEPTHS or size * pages > self.capacity:
+        if pixel_bytes not in (*DEPTHS, CELL_BYTES) or size * pages > self.capacity:
             return None
         start = AT_PIXELS + visible * size
-        return Frame(width, height, pixel_bytes, bool(square), self._map[start : start + size])
+        pixels = self._map[start : start + size]
+        if pixel_bytes != CELL_BYTES:
+            return Frame(width, height, pixel_bytes, bool(square), pixels)
+        if cell not in CELL_HEIGHTS or max(width * CELL_WIDTH, height * cell) > MAX_SIDE:
+            return None
+        details = TextFrame(width, height, cell, *text)
+        return Frame(width * CELL_WIDTH, height * cell, CELL_BYTES, False, pixels, details)
 
     def checksum(self) -> int:
         """A number that tells whether anything has changed: any pixel, colour or setting."""

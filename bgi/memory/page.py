@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.memory.operators import OPERATORS
+from bgi.memory.scrolling import scroll
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
 from bgi.raster.ellipses import Offset, Outline
@@ -351,6 +352,24 @@ class Page:
         """Put a colour wherever `mask`, which lies on the page with its corner at x, y, is True."""
         height, width = mask.shape
         self.array[y : y + height, x : x + width][mask] = color
+
+    def print(self, x: int, y: int, mask: Mask, color: int) -> None:
+        """Put a colour where `mask` is True and index 0 where it is not, whatever the clipping box.
+
+        So the BIOS writes; what is off the page is cut.
+        """
+        found = _overlap(x, y, mask.shape, self._all)
+        if found:
+            here, there = found
+            self.array[here] = self._inked(mask[there], color)
+
+    def scroll(self, box: Box, lines: int) -> None:
+        """Move a box up by so many rows (less than 0: down), whatever the clipping box.
+
+        Index 0 comes behind. What is off the page is cut.
+        """
+        left, top, right, bottom = box
+        scroll(self.array[top : bottom + 1, left : right + 1], lines, 0)
 
     def copy(self, x: int, y: int, width: int, height: int) -> Pixels:
         """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""

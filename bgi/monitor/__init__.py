@@ -32,6 +32,9 @@ class Monitor(Protocol):
     def flip(self) -> None:
         """Another page is visible; it need not be waited for."""
 
+    def keep_picture(self) -> None:
+        """A text screen takes the picture's place: remember it for the picture that is planned."""
+
     def key_waiting(self) -> bool:
         """Whether `read_key` would return at once."""
 

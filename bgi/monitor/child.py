@@ -21,6 +21,7 @@ from bgi.memory.card import Card
 from bgi.memory.sdl import pygame, twins
 from bgi.monitor.display import Display, free_name
 from bgi.monitor.inputs import Inputs
+from bgi.monitor.letters import at_moment
 from bgi.monitor.protocol import encode, receive
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.speaker import Speaker
@@ -161,7 +162,8 @@ class Child:
     def _record_frame(self, recorder: Recorder) -> None:
         frame = self._card.frame()
         if frame is not None:
-            recorder.add(time.monotonic(), frame, self._card.palette.tobytes())
+            now = time.monotonic()
+            recorder.add(now, at_moment(frame, now), self._card.palette.tobytes())
 
     def _stop_recording(self) -> None:
         """Write the recording in a thread of its own: the window goes on meanwhile."""

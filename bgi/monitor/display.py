@@ -11,6 +11,7 @@ import numpy as np
 from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame, quietly
 from bgi.monitor import art
+from bgi.monitor.letters import at_moment
 from bgi.monitor.picture import Colors, Shape, fit, inside, largest, shot, surface
 from bgi.monitor.protocol import TITLE
 
@@ -57,7 +58,10 @@ class Display:
         """Present what the card shows, unless it is on show already; return whether it was not."""
         frame = self._card.frame()
         palette = self._card.palette.tobytes()
-        if frame is None or (frame, palette, self._pointer) == self._shown:
+        if frame is None:
+            return False
+        frame = at_moment(frame, time.monotonic())
+        if (frame, palette, self._pointer) == self._shown:
             return False
         self._shown = frame, palette, self._pointer
         shape = Shape(frame.width, frame.height, frame.square)

@@ -88,6 +88,11 @@ class Headless:
         """Count one picture."""
         self.show()
 
+    def keep_picture(self) -> None:
+        """Remember what is on show for the picture that is planned."""
+        if self._card is not None:
+            self._plan.keep(self._card)
+
     def key_waiting(self) -> bool:
         """Whether the script goes on."""
         self._expected = waiting = self._keys.waiting()

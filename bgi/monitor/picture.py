@@ -15,6 +15,7 @@ from bgi.memory import imagefile
 from bgi.memory.card import Frame
 from bgi.memory.matching import true_colors
 from bgi.memory.sdl import pygame
+from bgi.monitor.letters import drawn
 
 Colors = npt.NDArray[np.uint8]
 Pixels = npt.NDArray[Any]
@@ -78,6 +79,8 @@ def largest(desktop_width: int, desktop_height: int) -> tuple[int, int]:
 
 def pixels(frame: Frame) -> Pixels:
     """The numbers of a frame's pixels, shape (height, width): indices, or also colours."""
+    if frame.text is not None:
+        return drawn(frame, frame.text)
     kind = np.dtype(np.uint8) if frame.pixel_bytes == 1 else np.dtype("<u4")
     return np.frombuffer(frame.pixels, kind).reshape(frame.height, frame.width)
 
@@ -87,7 +90,8 @@ def surface(frame: Frame, palette: Colors) -> pygame.Surface:
     numbers, size = pixels(frame), (frame.width, frame.height)
     if frame.pixel_bytes == 4:
         return pygame.image.frombuffer(true_colors(numbers, palette).tobytes(), size, "RGBX")
-    picture = pygame.image.frombuffer(frame.pixels, size, "P")
+    indices = frame.pixels if frame.text is None else numbers.tobytes()
+    picture = pygame.image.frombuffer(indices, size, "P")
     picture.set_palette(palette.tolist())
     return picture
 

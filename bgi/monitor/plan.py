@@ -37,6 +37,8 @@ class Plan:
     shot: str = ""
     after: float = math.inf
     record: str = ""
+    kept: bytes = b""
+    """A picture of the graphics screen that was left last."""
 
     @classmethod
     def from_environment(cls, keys: str | None = None) -> "Plan":
@@ -57,13 +59,21 @@ class Plan:
         shot, record = (file and os.path.abspath(file) for file in (shot, record))
         return cls(parse_script(script), shot, seconds, record)
 
+    def keep(self, card: Card) -> None:
+        """Remember what is on show, for a program that writes nothing on its text screen later."""
+        frame = card.frame() if self.shot else None
+        if frame is not None:
+            self.kept = shot(frame, card.palette)
+
     def take_shot(self, card: Card) -> None:
         """Write the picture that is planned, once."""
         frame = card.frame() if self.shot else None
         if frame is not None:
             file, self.shot = self.shot, ""
+            blank = frame.text is not None and not frame.pixels[::2].strip(b"\0 ")
             with saving(file):
-                Path(file).write_bytes(shot(frame, card.palette))
+                picture = self.kept if blank and self.kept else shot(frame, card.palette)
+                Path(file).write_bytes(picture)
 
 
 @contextlib.contextmanager

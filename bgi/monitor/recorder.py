@@ -106,9 +106,10 @@ def _image(frame: Frame, palette: Colors) -> Any:
     from PIL import Image
 
     size = frame.width, frame.height
-    if frame.pixel_bytes == 1:
-        image = Image.frombytes("P", size, frame.pixels)
+    numbers = pixels(frame)
+    if numbers.dtype == np.uint8:
+        image = Image.frombytes("P", size, numbers.tobytes())
         image.putpalette(palette.tobytes())
         return image
-    numbers = true_colors(pixels(frame), palette)
+    numbers = true_colors(numbers, palette)
     return Image.frombytes("RGB", size, numbers.tobytes(), "raw", "RGBX").quantize(256)

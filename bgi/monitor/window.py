@@ -102,6 +102,10 @@ class Window:
         """Nothing: the window looks at the card by itself."""
         self._check()
 
+    def keep_picture(self) -> None:
+        """Remember what is on show for the picture that is planned."""
+        self._plan.keep(self._card)
+
     def key_waiting(self) -> bool:
         """Whether `read_key` would return at once; rests a moment if nothing else is done."""
         self._check()

@@ -48,10 +48,30 @@ def test_the_header_is_as_documented(card: Card) -> None:
     card.palette[255] = 7, 8, 9
     raw = memory(card)
     assert raw[:8] == b"BGICARD\0"
-    assert struct.unpack_from("<8I", raw, 8) == (1, 640, 480, 4, 1, 2, card.changes, 0)
+    assert struct.unpack_from("<8I", raw, 8) == (2, 640, 480, 4, 1, 2, card.changes, 0)
     assert raw[64:67] == b"\1\2\3"
     assert raw[64 + 765 : 64 + 768] == b"\7\10\11"
     assert len(raw) == 4096 + 2 * 1024 * 768
+
+
+def test_the_header_of_a_text_mode_is_as_documented(card: Card) -> None:
+    card.set_text_mode(80, 25, 16, 2)
+    card.cursor[0], card.cursor[1] = 81, 0x0D0E
+    raw = memory(card)
+    assert struct.unpack_from("<8I", raw, 8) == (2, 80, 25, 1, 2, 0, card.changes, 0)
+    assert struct.unpack_from("<4I", raw, 40) == (16, 81, 0x0D0E, 2)
+    card.page(0)[:4] = b"A\7B\x1e"
+    frame = card.frame()
+    assert frame is not None and frame.text is not None
+    assert frame[:4] == (640, 400, 2, False)
+    assert frame.pixels == b"A\7B\x1e" + bytes(80 * 25 * 2 - 4)
+    assert frame.text[:6] == (80, 25, 16, 81, 0x0D0E, 2)
+
+
+def test_there_is_no_text_mode_of_other_characters(card: Card) -> None:
+    with pytest.raises(ValueError, match="8, 14 or 16 pixels high, not 9"):
+        card.set_text_mode(80, 25, 9)
+    assert (card.width, card.height) == (640, 480)
 
 
 def test_pixels_follow_page_after_page_from_top_to_bottom(card: Card) -> None:
@@ -174,11 +194,11 @@ def test_attach_refuses_what_is_no_handle(handle: str) -> None:
         Card.attach(handle)
 
 
-@pytest.mark.parametrize("damage", [b"BGICARD\1", b"BGICARD\0\2\0\0\0", bytes(12)])
+@pytest.mark.parametrize("damage", [b"BGICARD\1", b"BGICARD\0\1\0\0\0", bytes(12)])
 def test_attach_refuses_what_is_no_card(damage: bytes) -> None:
     card = Card(capacity=0)
     memory(card)[: len(damage)] = damage
-    with pytest.raises(ValueError, match="is not a graphics card of version 1"):
+    with pytest.raises(ValueError, match="is not a graphics card of version 2"):
         Card.attach(handle_for_another(card))
 
 
@@ -197,31 +217,33 @@ def test_attach_refuses_a_descriptor_that_is_closed() -> None:
         Card.attach(f"fd:{fd}:{AT_PIXELS}")
 
 
-@given(header=st.binary(min_size=40, max_size=40))
+@given(header=st.binary(min_size=56, max_size=56))
 def test_a_monitor_survives_any_header(header: bytes) -> None:
     check_frame(header)
 
 
-@given(numbers=st.lists(st.integers(0, 40), min_size=8, max_size=8))
+@given(numbers=st.lists(st.integers(0, 40), min_size=12, max_size=12))
 def test_a_monitor_survives_any_small_header(numbers: list[int]) -> None:
-    check_frame(b"BGICARD\0" + struct.pack("<8I", *numbers))
+    check_frame(b"BGICARD\0" + struct.pack("<12I", *numbers))
 
 
 def check_frame(header: bytes) -> None:
     card = Card(capacity=5000)
     memory(card)[: len(header)] = header
     width, height, pages, pixel_bytes, visible = struct.unpack_from("<5I", header, 12)
+    (cell_height,) = struct.unpack_from("<I", header.ljust(56, b"\0"), 40)
+    across, down = (8, cell_height) if pixel_bytes == 2 else (1, 1)
     frame = card.frame()
     if frame is None:
         assert not (
-            0 < width <= MAX_SIDE
-            and 0 < height <= MAX_SIDE
+            0 < width * across <= MAX_SIDE
+            and 0 < height * down <= MAX_SIDE
             and visible < pages
-            and pixel_bytes in (1, 4)
+            and (pixel_bytes in (1, 4) or (pixel_bytes == 2 and cell_height in (8, 14, 16)))
             and width * height * pages * pixel_bytes <= 5000
         )
     else:
-        assert frame[:3] == (width, height, pixel_bytes)
+        assert frame[:3] == (width * across, height * down, pixel_bytes)
         assert len(frame.pixels) == width * height * pixel_bytes
     card.close()
 

@@ -45,12 +45,13 @@ def test_ungetch_gives_one_character_back(keys: None) -> None:
         conio.ungetch(256)
 
 
-def test_getche_shows_what_it_returns(keys: None, capsys: pytest.CaptureFixture[str]) -> None:
-    for code in (0x82, 13, 27, 8, 0):
+def test_getche_shows_what_it_returns(keys: None) -> None:
+    conio.textmode(conio.C80)
+    for code in (0x82, 13, 27, 0x82, 8, 0):
         conio.ungetch(code)
         assert conio.getche() == code
     assert conio.getche() == ord("a")
-    assert capsys.readouterr().out == "é\n\ba"
+    assert conio.gettext(1, 1, 3, 1)[::2] == b"\x1b\0a"
 
 
 def test_bioskey(keys: None) -> None:
@@ -67,17 +68,17 @@ def test_bioskey(keys: None) -> None:
         dos.bioskey(0)
 
 
-def test_before_initgraph() -> None:
-    calls = [
-        conio.getche,
-        lambda: conio.ungetch(1),
-        lambda: dos.bioskey(2),
-        lambda: dos.sound(440),
-        dos.nosound,
-    ]
-    for call in calls:
-        with pytest.raises(bgi.BGIError, match="not initialized"):
-            call()
+@pytest.mark.parametrize("call", [lambda: dos.bioskey(2), lambda: dos.sound(440), bgi.kbhit])
+def test_before_initgraph_a_text_screen_opens_for_keys_and_sounds(call) -> None:
+    call()
+    assert current.console().is_text
+    with pytest.raises(bgi.BGIError, match="not initialized"):
+        bgi.circle(1, 1, 1)
+
+
+def test_silence_needs_no_screen() -> None:
+    dos.nosound()
+    assert not current.is_open()
 
 
 # Time

@@ -3,7 +3,7 @@
 import pytest
 
 import bgi
-from bgi import keyboard
+from bgi import current, keyboard
 
 
 def test_two_keys_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -41,9 +41,9 @@ def test_a_code_is_not_a_key() -> None:
         keyboard.pressed(72)
 
 
-def test_before_initgraph() -> None:
-    with pytest.raises(bgi.BGIError, match="not initialized"):
-        keyboard.pressed("a")
+def test_before_initgraph_the_keyboard_is_that_of_a_text_screen() -> None:
+    assert not keyboard.pressed("a")
+    assert current.console().is_text
 
 
 def test_a_script_is_that_of_the_program_not_of_a_window(monkeypatch: pytest.MonkeyPatch) -> None:

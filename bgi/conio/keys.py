@@ -1,4 +1,4 @@
-"""The keyboard, as conio.h has it: kbhit(), getch() and their like for the graphics window."""
+"""The keyboard: keys one by one, as conio.h asks for them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from bgi import current
 from bgi.errors import BGIWarning, brief
 from bgi.kernel.arguments import Number, whole
 
-__all__ = ["EOF", "getch", "getche", "kbhit", "ungetch"]
+__all__ = ["EOF", "getch", "kbhit", "ungetch"]
 
 EOF = -1
 """What ungetch() returns when it cannot."""
@@ -59,17 +59,6 @@ def _warn(text: str) -> None:
     """Point at the line of the program that compares a key with a text."""
     number = f"ord({text!r})" if len(text) == 1 else "the number of one, such as ord('q')"
     warnings.warn(f"getch() returns a number; compare with {number}", BGIWarning, stacklevel=3)
-
-
-def getche() -> int:
-    """Wait for a key, show it on the terminal and return its code.
-
-    Otherwise like getch(). Codes without a picture, such as Esc, are not shown. Source: conio.h.
-    """
-    code = getch()
-    shown = "\n" if code == 13 else bytes([code]).decode("cp437")
-    print(shown if shown.isprintable() or shown in "\n\b" else "", end="", flush=True)
-    return code
 
 
 def ungetch(c: Number) -> int:

@@ -1,0 +1,24 @@
+"""The fonts in the adapter's ROM, 8 pixels wide and 8, 14 or 16 high: those of the text screen.
+
+`data/rom8x14.bin` and its like hold the rows of 256 glyphs of code page 437, top row first, the
+highest bit leftmost.
+"""
+
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.fonts import DATA
+
+_FILES = {8: "font8x8.bin", 14: "rom8x14.bin", 16: "rom8x16.bin"}
+
+HEIGHTS = tuple(_FILES)
+"""The heights that there are."""
+
+
+@cache
+def glyphs(height: int) -> NDArray[np.bool_]:
+    """The pixels of all glyphs, shape (256, height, 8)."""
+    rows = np.frombuffer((DATA / _FILES[height]).read_bytes(), np.uint8)
+    return np.unpackbits(rows.reshape(256, height, 1), axis=2).astype(bool)

@@ -1,0 +1,22 @@
+"""Calls of conio.h as the captures name them."""
+
+import dataclasses
+
+from bgi import conio, current
+
+
+def call(name, *arguments):
+    """One call, and its answer as the captures write it."""
+    if name == "wherexy":
+        return [conio.wherex(), conio.wherey()]
+    if name == "_wscroll":
+        conio._wscroll = arguments[0]
+        return []
+    if name == "cprintf":  # the texts have no percent signs in them
+        conio.cputs(arguments[0].encode("latin-1"))
+        return [len(arguments[0])]
+    if name == "printf":
+        current.console().print(arguments[0].encode("latin-1"))
+        return []
+    answer = getattr(conio, name)(*arguments)
+    return list(dataclasses.astuple(answer)) if dataclasses.is_dataclass(answer) else answer
