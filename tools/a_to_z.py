@@ -44,6 +44,8 @@ GROUPS = {
     "What graphresult() may return.": "errors",
     "A colour: its index in the palette.": "colours",
     "Added to a colour, makes text blink: in text modes only.": "colours",
+    "A text mode.": "textscreen",
+    "A shape of the text cursor, for _setcursortype.": "textscreen",
     "A colour in one of the CGA's four palettes.": "colours",
     "A hardware colour of the EGA and VGA, for setpalette.": "colours",
     "A style or width of lines, for setlinestyle.": "lines",
@@ -62,7 +64,7 @@ GROUPS = {
 
 SOURCES = {
     "": ["bgi/constants.py"],
-    "conio.": ["bgi/conio.py"],
+    "conio.": ["bgi/constants.py", "bgi/conio/__init__.py", "bgi/conio/keys.py"],
     "dos.": ["bgi/dos.py"],
     "keyboard.": [],
     "mouse.": ["bgi/monitor/pointer.py"],
@@ -234,6 +236,8 @@ def lines() -> Iterator[tuple[str, str]]:
         said = {k: v for file in SOURCES[prefix] for k, v in said_of_constants(ROOT / file).items()}
         for name in names(prefix):
             value = getattr(module, name)
+            if prefix and name in bgi.__all__:
+                continue  # RED is that of bgi
             if isinstance(value, (int, float, str)):
                 yield name, line(f"{prefix}{name} = {value!r}", said[name], GROUPS[said[name]])
             elif not callable(value):

@@ -19,7 +19,8 @@ import numpy as np
 
 import bgi
 import demos  # noqa: F401  (with it, its helpers are found)
-from bgi import current
+from bgi import conio, current
+from bgi.monitor.picture import shot
 from gallery.catalogue import NAMES, load
 
 ROOT = Path(__file__).parents[1]
@@ -32,6 +33,7 @@ SECONDS = "2.4s"  # as much as fits into half a megabyte
 
 # What a page says of its code, and so how its blocks are run.
 ON_A_SCREEN = "follows `from bgi import *` and `initgraph(VGA, VGAHI)`"
+ON_TEXT = "follows `from bgi.conio import *`"
 IN_ORDER = "type them one after the other"
 
 _BLOCK = re.compile(
@@ -67,8 +69,10 @@ def draw_page(page: Path, folder: Path) -> list[str]:
     drawn = []
     for code, picture in blocks(page):
         if IN_ORDER not in text:
-            bgi.closegraph()
+            current.close_screen()
             names = {}
+        if ON_TEXT in text:
+            names = {name: getattr(conio, name) for name in conio.__all__}
         if ON_A_SCREEN in text:
             names = {name: getattr(bgi, name) for name in bgi.__all__}
             bgi.initgraph(bgi.VGA, bgi.VGAHI)
@@ -76,7 +80,7 @@ def draw_page(page: Path, folder: Path) -> list[str]:
         if picture is not None:
             _save(folder / picture, whole=IN_ORDER in text)
             drawn.append(picture)
-    bgi.closegraph()
+    current.close_screen()
     return drawn
 
 
@@ -102,6 +106,11 @@ def record_demo(folder: Path) -> list[str]:
 
 def _save(file: Path, whole: bool) -> None:
     """Save the page that is shown: the whole of it, or as far as something is drawn."""
+    if current.crt is not None and current.crt.is_text:
+        frame = current.crt.card.frame()
+        assert frame is not None
+        file.write_bytes(shot(frame, current.crt.card.palette))
+        return
     bgi.setactivepage(bgi.getvisualpage())
     if whole:
         bgi.writeimagefile(file)

@@ -53,7 +53,7 @@ class Bios:
     """The text mode's own memory."""
 
     def __init__(self, card: Card) -> None:
-        self._card = card
+        self.card = card
         self._cursor = card.cursor
         self.mode = self.mode_before = TEXT_MODES[C80]
         self.x = self.y = 0
@@ -63,11 +63,11 @@ class Bios:
         """Set a text mode: an empty screen, the cursor in its corner."""
         if mode is not self.mode:
             self.mode_before, self.mode = self.mode, mode
-        self._card.set_text_mode(
+        self.card.set_text_mode(
             mode.columns, mode.rows, mode.cell_height, 2 if mode.monochrome else 0
         )
-        self._card.palette[:16] = SIXTEEN
-        self.cells = self.page = CellPage(self._card.page(0), mode.columns, mode.rows)
+        self.card.palette[:16] = SIXTEEN
+        self.cells = self.page = CellPage(self.card.page(0), mode.columns, mode.rows)
         self.is_text = True
         self.page.fill((0, 0, mode.columns - 1, mode.rows - 1), NORMAL_ATTRIBUTE)
         self.shape_cursor(CURSORS[mode.cell_height])

@@ -37,7 +37,7 @@ class Crt(Bios):
     def enter_text(self, mode: TextMode) -> None:
         """Set a text mode; the window is the whole screen."""
         super().enter_text(mode)
-        self._memory = self._card.page(0).cast("H")
+        self._memory = self.card.page(0).cast("H")
         self.attribute = NORMAL_ATTRIBUTE
         self.open_window((0, 0, mode.columns - 1, mode.rows - 1))
 
