@@ -20,6 +20,7 @@ from bgi.kernel.state import KERNEL
 LEFT_OUT = {
     *("getch", "getche", "delay", "Sleep", "sleep", "bioskey", "strict", "swapbuffers"),
     *("initgraph", "initwindow", "setgraphmode", "restorecrtmode", "closegraph", "closewindow"),
+    "textmode",
     *("readimagefile", "writeimagefile", "installuserfont", "installuserdriver"),
 }
 CALLS: list[Callable[..., object]] = [
