@@ -36,6 +36,7 @@ LAYERS = [
     "bgi.memory.sdl",
     "bgi.machine",
     "bgi.memory.operators",
+    "bgi.memory.boxes",
     "bgi.memory.scrolling",
     "bgi.memory.page",
     "bgi.memory.packedpage",

@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.memory.boxes import overlap, within
 from bgi.memory.operators import OPERATORS
 from bgi.memory.scrolling import scroll
 from bgi.memory.sdl import pygame
@@ -77,7 +78,7 @@ class Page:
 
     def get_many(self, x: Ints, y: Ints) -> Pixels:
         """`get` for arrays."""
-        inside = _within(x, y, self._all)
+        inside = within(x, y, self._all)
         values = np.zeros(len(x), dtype=self.flat.dtype)
         place = y[inside] * self.width + x[inside]
         values[inside] = self.flat[place.astype(np.int64, copy=False)]
@@ -89,7 +90,7 @@ class Page:
             return
         left, top, right, bottom = self.box
         if x.min() < left or x.max() > right or y.min() < top or y.max() > bottom:
-            inside = _within(x, y, self.box)
+            inside = within(x, y, self.box)
             x = x[inside].astype(np.int64, copy=False)
             y = y[inside].astype(np.int64, copy=False)
             values = values if isinstance(values, int) else values[inside]
@@ -358,7 +359,7 @@ class Page:
 
         So the BIOS writes; what is off the page is cut.
         """
-        found = _overlap(x, y, mask.shape, self._all)
+        found = overlap(x, y, mask.shape, self._all)
         if found:
             here, there = found
             self.array[here] = self._inked(mask[there], color)
@@ -374,7 +375,7 @@ class Page:
     def copy(self, x: int, y: int, width: int, height: int) -> Pixels:
         """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""
         taken = np.zeros((height, width), dtype=self.flat.dtype)
-        found = _overlap(x, y, taken.shape, self._all)
+        found = overlap(x, y, taken.shape, self._all)
         if found:
             here, there = found
             taken[there] = self.array[here]
@@ -382,7 +383,7 @@ class Page:
 
     def combine(self, x: int, y: int, image: Pixels, op: int, mask: int) -> None:
         """Put an image with its corner at x, y by a putimage operator, cut at the page's edges."""
-        found = _overlap(x, y, image.shape, self._all)
+        found = overlap(x, y, image.shape, self._all)
         if found:
             here, there = found
             bits = self.flat.dtype.type(mask)
@@ -397,23 +398,3 @@ class Page:
 def _row_of(color: int, width: int, dtype: np.dtype[Any]) -> tuple[memoryview, Cuts]:
     """A row of one colour to copy from, and what has been cut from its beginning, by length."""
     return np.full(width, color, dtype).data, {}
-
-
-Part = tuple[slice, slice]
-"""Rows and columns of an array."""
-
-
-def _overlap(x: int, y: int, shape: tuple[int, ...], box: Box) -> tuple[Part, Part] | None:
-    """Where a picture of that shape at x, y meets a box: on the page, and in the picture."""
-    left, top = max(x, box[0]), max(y, box[1])
-    right, bottom = min(x + shape[1], box[2] + 1), min(y + shape[0], box[3] + 1)
-    if left >= right or top >= bottom:
-        return None
-    there = slice(top - y, bottom - y), slice(left - x, right - x)
-    return (slice(top, bottom), slice(left, right)), there
-
-
-def _within(x: Ints, y: Ints, box: Box) -> Mask:
-    left, top, right, bottom = box
-    inside: Mask = (x >= left) & (x <= right) & (y >= top) & (y <= bottom)
-    return inside
