@@ -8,6 +8,7 @@ it stands: nobody knows any more which argument belongs where.
 
 import re
 from collections.abc import Callable
+from functools import lru_cache
 from math import isfinite, isnan
 from typing import Any, NamedTuple
 
@@ -26,6 +27,9 @@ MOST_CHARACTERS = 1 << 24
 MOST_BITS = 1024
 """Of a whole number: as far as floating point goes."""
 
+REMEMBERED = 80
+"""Characters of a format whose conversions are kept: of 256 formats."""
+
 _CONVERSION = re.compile(
     r"%(?P<flags>[-+ #0]*+)(?P<width>\*|[0-9]*+)(?:\.(?P<precision>\*|[0-9]*+))?"
     r"(?P<size>[hlLFN]*+)(?P<letter>[diuoxXfeEgGcspn])|%%"
@@ -33,17 +37,27 @@ _CONVERSION = re.compile(
 
 
 class Conversion(NamedTuple):
-    """One conversion with its `*` filled in."""
+    """One conversion of a format."""
 
-    name: str
-    """How errors call it."""
+    number: int
+    """Which of the format's it is, from 1 on."""
+    written: str
     flags: str
     width: int
     precision: int | None
+    stars: tuple[str, ...]
+    """Which of width and precision are arguments."""
     size: str
     letter: str
-    behind: int
-    """How many characters come before it."""
+
+    def called(self, part: str) -> str:
+        """How errors call its argument, its width or its precision."""
+        return f"the {part} of {self.written:.40} (conversion {self.number})"
+
+    @property
+    def name(self) -> str:
+        """How errors call its argument."""
+        return self.called("argument")
 
     def padded(self, sign: str, text: str, zeros: bool = False) -> str:
         """A text in the conversion's width; zeros go between the sign and the digits."""
@@ -79,21 +93,23 @@ def format(format_string: str | bytes, *args: Any) -> str:
     text = c_string("the format", format_string)
     if "%" not in text:
         return text
+    parts, rest = _remembered(text) if len(text) <= REMEMBERED else _parts(text)
     given = _Arguments(args)
     pieces: list[str] = []
-    count = position = 0
-    while (start := text.find("%", position)) >= 0 and (
-        found := _CONVERSION.match(text, start)
-    ) is not None:
-        before = text[position:start]
+    count = 0
+    for before, conversion in parts:
+        full = _filled(conversion, given) if conversion.stars else conversion
+        value = given.take(full, "argument")
         count += len(before)
-        shown = _shown(found, given, count) if found["letter"] else "%"
+        if full.letter == "n":
+            shown = _store(full, value, count)
+        else:
+            shown = _CONVERTERS[full.letter](full, value)
         count += len(shown)
         if count > MOST_CHARACTERS:
             raise ValueError(f"the format makes more than {MOST_CHARACTERS:,} characters")
         pieces += before, shown
-        position = found.end()
-    return "".join(pieces) + text[position:]
+    return "".join(pieces) + rest
 
 
 class _Arguments:
@@ -102,43 +118,75 @@ class _Arguments:
     def __init__(self, values: tuple[Any, ...]) -> None:
         self._values = values
         self._taken = 0
-        self.conversions = 0
 
-    def take(self, name: str) -> Any:
-        """The next argument, for what is called `name`."""
+    def take(self, conversion: Conversion, part: str) -> Any:
+        """The next argument, for a part of a conversion."""
         if self._taken == len(self._values):
-            raise TypeError(f"{name} is missing: the call gives {self._taken}")
+            raise TypeError(f"{conversion.called(part)} is missing: the call gives {self._taken}")
         self._taken += 1
         return self._values[self._taken - 1]
 
 
-def _shown(found: re.Match[str], given: _Arguments, count: int) -> str:
-    """What one conversion makes of its argument, behind `count` characters."""
-    given.conversions += 1
-    name = f"{found[0]:.40} (conversion {given.conversions})"
-    width = _number(found["width"], f"the width of {name}", given) or 0
-    precision = _number(found["precision"], f"the precision of {name}", given)
-    flags = found["flags"] + "-" * (width < 0)
-    if precision is not None and precision < 0:
-        precision = None
-    name = f"the argument of {name}"
+def _parts(text: str) -> tuple[list[tuple[str, Conversion]], str]:
+    """The conversions of a format, each with the text before it, and the text behind them all."""
+    parts: list[tuple[str, Conversion]] = []
+    before, position = "", 0
+    while (start := text.find("%", position)) >= 0 and (
+        found := _CONVERSION.match(text, start)
+    ) is not None:
+        before += text[position:start]
+        position = found.end()
+        if found["letter"]:
+            parts.append((before, _conversion(len(parts) + 1, found)))
+            before = ""
+        else:
+            before += "%"
+    return parts, before + text[position:]
+
+
+_remembered = lru_cache(maxsize=256)(_parts)
+
+
+def _conversion(number: int, found: re.Match[str]) -> Conversion:
+    """A conversion as it is written."""
+    width, precision = found["width"], found["precision"]
+    stars = tuple(part for part in ("width", "precision") if found[part] == "*")
     conversion = Conversion(
-        name, flags, abs(width), precision, found["size"], found["letter"], count
+        number, found[0], found["flags"], 0, None, stars, found["size"], found["letter"]
     )
-    return _CONVERTERS[conversion.letter](conversion, given.take(name))
+    if width and width != "*":
+        conversion = conversion._replace(width=_bounded(conversion, "width", width))
+    if precision is not None and precision != "*":
+        conversion = conversion._replace(precision=_bounded(conversion, "precision", precision))
+    return conversion
 
 
-def _number(written: str | None, name: str, given: _Arguments) -> int | None:
-    """A width or a precision; None if there is none."""
-    if written is None:
-        return None
-    if written == "*":
-        number = whole(name, given.take(name))
-    else:
-        digits = written.lstrip("0") or "0"
+def _filled(conversion: Conversion, given: _Arguments) -> Conversion:
+    """A conversion with arguments for its stars; a negative width means the flag `-`."""
+    if "width" in conversion.stars:
+        conversion = conversion._replace(width=_star(conversion, "width", given))
+    if "precision" in conversion.stars:
+        conversion = conversion._replace(precision=_star(conversion, "precision", given))
+    if conversion.width < 0:
+        conversion = conversion._replace(flags=conversion.flags + "-", width=-conversion.width)
+    if conversion.precision is not None and conversion.precision < 0:
+        conversion = conversion._replace(precision=None)
+    return conversion
+
+
+def _star(conversion: Conversion, part: str, given: _Arguments) -> int:
+    """A width or a precision that is an argument."""
+    number = whole(conversion.called(part), given.take(conversion, part))
+    return _bounded(conversion, part, number)
+
+
+def _bounded(conversion: Conversion, part: str, number: str | int) -> int:
+    """A width or a precision within its limit."""
+    if isinstance(number, str):
+        digits = number.lstrip("0") or "0"
         number = int(digits) if len(digits) < 6 else LONGEST + 1
     if abs(number) > LONGEST:
-        raise ValueError(f"{name} must be at most {LONGEST:,}")
+        raise ValueError(f"{conversion.called(part)} must be at most {LONGEST:,}")
     return number
 
 
@@ -221,12 +269,12 @@ def _pointer(conversion: Conversion, value: object) -> str:
     )
 
 
-def _count(conversion: Conversion, value: object) -> str:
+def _store(conversion: Conversion, value: object, count: int) -> str:
     """%n: what C stores through a pointer is appended to a list."""
     if not isinstance(value, list):
         kind = type(value).__name__
         raise TypeError(f"{conversion.name} must be a list, to append a number to, not {kind}")
-    value.append(conversion.behind)
+    value.append(count)
     return ""
 
 
@@ -247,5 +295,4 @@ _CONVERTERS: dict[str, Callable[[Conversion, object], str]] = {
     "c": _character,
     "s": _string,
     "p": _pointer,
-    "n": _count,
 }
