@@ -13,6 +13,7 @@ import platform
 import runpy
 import sys
 from collections.abc import Sequence
+from contextlib import nullcontext
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from types import ModuleType, TracebackType
@@ -26,6 +27,7 @@ from bgi.monitor import ending
 from bgi.monitor.plan import note, written
 from bgi.monitor.recorder import missing
 from bgi.monitor.script import parse_script, parse_time
+from bgi.stdio import on_screen
 
 VARIABLES = {
     "monitor": "BGI_MONITOR",
@@ -57,7 +59,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _say_what_stands_behind(program, rest)
     planned = [os.path.abspath(given[name]) for name in ("shot", "record") if name in given]
     try:
-        status = _run(program, rest)
+        with on_screen() if options.console else nullcontext():
+            status = _run(program, rest)
+            current.end()
     finally:
         current.close_screen()
         unwritten = [file for file in planned if not _was_written(file)]
@@ -95,6 +99,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--shot", metavar="FILE.png", help="write what is on the screen at the end")
     parser.add_argument(
         "--after", type=_seconds, metavar="2s", help="end the program then; default: when it ends"
+    )
+    parser.add_argument(
+        "--console", action="store_true", help="print and input on the screen, as printf and scanf"
     )
     parser.add_argument("--record", metavar="FILE.gif", help="write all that is on the screen")
     parser.add_argument("--info", action="store_true", help="say what this machine has, and end")

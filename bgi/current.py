@@ -25,7 +25,7 @@ from bgi.kernel.state import KERNEL
 from bgi.kernel.textmodes import TEXT_MODES, TextMode
 from bgi.memory.card import CAPACITY, Card
 from bgi.monitor import Monitor, choose
-from bgi.monitor.ending import follow_program, interrupt
+from bgi.monitor.ending import at_a_prompt, follow_program, interrupt
 from bgi.monitor.protocol import TITLE
 
 
@@ -250,7 +250,16 @@ def _card_for(mode: GraphicsMode | None) -> Card:
 
 @functools.cache  # once is enough
 def _follow_program() -> None:
-    follow_program(close_screen)
+    follow_program(end, close_screen)
+
+
+def end() -> None:
+    """The program ends: what stands on its text screen may still be read; then all is let go of."""
+    here = _open.get(number)
+    shows_text = here is not None and here.crt is not None and here.crt.is_text
+    if here is not None and shows_text and not here.lost and not at_a_prompt():
+        here.monitor.linger()
+    close_screen()
 
 
 def select(which: int) -> None:

@@ -127,6 +127,15 @@ class Bios:
         for part in others:
             self.teletype(b" " * (TAB - self.x % TAB) + part)
 
+    def erase(self) -> None:
+        """Take back the last character, also from the end of the row above."""
+        if self.x > 0:
+            x, y = self.x - 1, self.y
+        else:
+            x, y = self.page.columns - 1, max(self.y - 1, 0)
+        self.page.rewrite(x, y, b" ")
+        self.move(x, y)
+
     def _new_line(self) -> None:
         self._control(RETURN)
         self._control(LINE_FEED)

@@ -98,6 +98,8 @@ class Kernel:
         """What setgraphbufsize() was given last, in bytes."""
         self.why_no_screen = ""
         """What was wrong with the last initgraph(), if it opened no screen."""
+        self.typed = ""
+        """What has been typed for scanf() and its like, and not been read yet."""
         self.seed = 1
         """The state of Borland's random numbers: see `bgi.dos.rand`."""
 

@@ -64,6 +64,9 @@ class Monitor(Protocol):
     def set_title(self, title: str) -> None:
         """Name the window."""
 
+    def linger(self) -> None:
+        """The program has ended: let what is on show be read, if somebody is there. Never raises."""
+
     def close(self) -> None:
         """Let go of everything; a second time does nothing. Never raises."""
 

@@ -22,8 +22,11 @@ _interrupted: WindowClosed | None = None
 """Why the program has been interrupted, if it was not the user's Ctrl-C."""
 
 
-def follow_program(close: Callable[[], None]) -> None:
-    """From now on the program's end is that of its screens: `close` lets go of them."""
+def follow_program(end: Callable[[], None], close: Callable[[], None]) -> None:
+    """From now on the program's end is that of its screens.
+
+    `end` lets go of them when it ends by itself, `close` at Ctrl-C: at once.
+    """
     before, thread_before = sys.excepthook, threading.excepthook
 
     def hook(
@@ -31,11 +34,13 @@ def follow_program(close: Callable[[], None]) -> None:
     ) -> None:
         why = reason(error)
         if why is None:
+            if kind is KeyboardInterrupt:
+                close()
             hints.add_to(error, traceback)
             before(kind, error, traceback)
             return
         _say(why)
-        if not _at_a_prompt():
+        if not at_a_prompt():
             raise SystemExit(0)  # which Python takes for the program's own
 
     def thread_hook(args: threading.ExceptHookArgs) -> None:
@@ -45,7 +50,7 @@ def follow_program(close: Callable[[], None]) -> None:
         else:
             _say_once(why)
 
-    atexit.register(close)
+    atexit.register(end)
     sys.excepthook, threading.excepthook = hook, thread_hook
 
 
@@ -59,7 +64,7 @@ def interrupt(error: WindowClosed) -> None:
     def end() -> None:
         global _interrupted
         met = error.__traceback__ is not None  # raised, so it is on its way through the program
-        if met or _at_a_prompt():
+        if met or at_a_prompt():
             return
         _interrupted = error
         if sys.platform == "win32":
@@ -84,13 +89,13 @@ def reason(error: BaseException | None) -> WindowClosed | None:
 
 
 def _say(why: WindowClosed) -> None:
-    if not isinstance(why, TimeIsUp) or _at_a_prompt():
+    if not isinstance(why, TimeIsUp) or at_a_prompt():
         print(f"bgi: {why}", file=sys.stderr)
 
 
 _say_once = functools.cache(_say)  # and not once for every thread
 
 
-def _at_a_prompt() -> bool:
+def at_a_prompt() -> bool:
     """Whether somebody sits at Python's prompt, or IDLE's, and will go on after an error."""
     return hasattr(sys, "ps1") or bool(sys.flags.inspect) or "idlelib.run" in sys.modules

@@ -165,6 +165,9 @@ class Headless:
         """Remember the title."""
         self.title = title
 
+    def linger(self) -> None:
+        """Nobody is there to read."""
+
     def close(self) -> None:
         """Write the picture and the recording that are planned; once."""
         if os.getpid() != self._owner:

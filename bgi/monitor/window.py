@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable
 
 from bgi.errors import BGIError, TimeIsUp, WindowClosed
-from bgi.memory.card import Card
+from bgi.memory.card import CELL_BYTES, Card, Frame
 from bgi.monitor import moment
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import PIECE_SECONDS, KeyQueue
@@ -47,6 +47,7 @@ class Window:
         self._plan = plan or Plan()
         self.presents = 0  # how many pictures the window has put on the screen
         self._on_lost = on_lost
+        self._read: Frame | None = None  # the text screen at the last key
         self._owner = os.getpid()
         neighbour = beside if isinstance(beside, Window) else None
         self._keys: KeyQueue = neighbour._keys if neighbour else KeyQueue()
@@ -116,12 +117,27 @@ class Window:
     def read_key(self) -> int:
         """Wait for a key and return its code; keys without a character are 0, then a scan code."""
         self._check()
-        return self._keys.get(self._check)
+        code = self._keys.get(self._check)
+        self._read = self._text()
+        return code
 
     def read_keystroke(self) -> bytes:
         """Wait for a key and return all of it, one byte or two."""
         self._check()
-        return self._keys.take(self._check)
+        keystroke = self._keys.take(self._check)
+        self._read = self._text()
+        return keystroke
+
+    def _text(self) -> Frame | None:
+        """What stands on a text screen."""
+        return self._card.frame() if self._card.pixel_bytes == CELL_BYTES else None
+
+    def linger(self) -> None:
+        """Wait for a key if something has been written since the last one, and no plan is made."""
+        if self._plan == Plan() and self._text() != self._read:
+            with contextlib.suppress(BGIError, KeyboardInterrupt):
+                self.set_title(f"{self._title} - ended: press a key")
+                self._keys.take(self._check)
 
     @property
     def pid(self) -> int:
@@ -158,6 +174,7 @@ class Window:
     def set_title(self, title: str) -> None:
         """Name the window."""
         self._check()
+        self._title = title
         self._send("title", title)
 
     def close(self) -> None:
