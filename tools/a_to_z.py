@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 import bgi
 import surfaces
-from bgi import conio, dos, keyboard, mouse
+from bgi import conio, dos, keyboard, mouse, stdio
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -34,6 +34,7 @@ MODULES = {
     "dos.": dos,
     "keyboard.": keyboard,
     "mouse.": mouse,
+    "stdio.": stdio,
     "surfaces.": surfaces,
 }
 """The modules whose names are listed, by what a program writes before a name."""
@@ -57,6 +58,7 @@ GROUPS = {
     "A kind of event of the mouse: WinBGIm's, which are Windows' messages.": "mouse",
     "A button of the mouse.": "mouse",
     "What ungetch() returns when it cannot.": "keys",
+    "What C returns when the input has ended before anything was read.": "stdio",
     "What clock() counts in a second: the PC's timer ticks.": "time",
     "The largest number that rand() returns.": "time",
 }
@@ -68,6 +70,7 @@ SOURCES = {
     "dos.": ["bgi/dos.py"],
     "keyboard.": [],
     "mouse.": ["bgi/monitor/pointer.py"],
+    "stdio.": ["bgi/clib/scanf.py"],
     "surfaces.": [],
 }
 """The files that define the constants of each module."""
@@ -85,8 +88,8 @@ STARS = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "
 HEAD = """# A–Z
 
 Every public name: functions, structures, constants, and the options of `surface()`; with the page
-that shows it. Names without a dot come with `from bgi import *`; `conio`, `dos`,
-`keyboard` and `mouse` are modules of it: `from bgi import dos`. `surfaces` is a package of its own.
+that shows it. Names without a dot come with `from bgi import *`; `conio`, `dos`, `keyboard`,
+`mouse` and `stdio` are modules of it: `from bgi import dos`. `surfaces` is a package of its own.
 `help(circle)` says more.
 """
 

@@ -7,6 +7,7 @@ the screen: so a page cannot show what its code does not draw. A demo's picture 
 gallery; one is recorded while it moves. tests/test_docs.py draws them all again and compares.
 """
 
+import importlib
 import os
 import re
 import subprocess
@@ -19,7 +20,7 @@ import numpy as np
 
 import bgi
 import demos  # noqa: F401  (with it, its helpers are found)
-from bgi import conio, current
+from bgi import current
 from bgi.monitor.picture import shot
 from gallery.catalogue import NAMES, load
 
@@ -27,13 +28,14 @@ ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PICTURES = DOCS / "pictures"
 KEYS = "a Left Up Space Wait1s +Esc"  # what is pressed for each block that asks for keys
+TYPED = "7 Space 4 Enter A d a Enter"  # the same where words are typed
 LEAST_WIDTH, MARGIN = 400, 12
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
 
 # What a page says of its code, and so how its blocks are run.
 ON_A_SCREEN = "follows `from bgi import *` and `initgraph(VGA, VGAHI)`"
-ON_TEXT = "follows `from bgi.conio import *`"
+ON_TEXT = re.compile(r"follows\s+`from bgi\.(conio|stdio) import \*`")
 IN_ORDER = "type them one after the other"
 
 _BLOCK = re.compile(
@@ -67,12 +69,13 @@ def draw_page(page: Path, folder: Path) -> list[str]:
     text = page.read_text("utf-8")
     names: dict[str, Any] = {}
     drawn = []
+    os.environ["BGI_KEYS"] = TYPED if ON_TEXT.search(text) else KEYS
     for code, picture in blocks(page):
         if IN_ORDER not in text:
             current.close_screen()
             names = {}
-        if ON_TEXT in text:
-            names = {name: getattr(conio, name) for name in conio.__all__}
+        if header := ON_TEXT.search(text):
+            names = star(header[1])
         if ON_A_SCREEN in text:
             names = {name: getattr(bgi, name) for name in bgi.__all__}
             bgi.initgraph(bgi.VGA, bgi.VGAHI)
@@ -82,6 +85,12 @@ def draw_page(page: Path, folder: Path) -> list[str]:
             drawn.append(picture)
     current.close_screen()
     return drawn
+
+
+def star(name: str) -> dict[str, Any]:
+    """What `from bgi.NAME import *` brings."""
+    module = importlib.import_module(f"bgi.{name}")
+    return {word: getattr(module, word) for word in module.__all__}
 
 
 def draw_demo(name: str, folder: Path) -> list[str]:

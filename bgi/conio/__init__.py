@@ -8,7 +8,10 @@ leads back. Columns and rows are counted from 1, column first. Text is in code p
 
 from __future__ import annotations
 
+from typing import Any
+
 from bgi import current
+from bgi.clib import printf, scanf
 from bgi.conio.keys import EOF, getch, kbhit, ungetch
 from bgi.conio.textscreen import (
     _setcursortype,
@@ -30,6 +33,7 @@ from bgi.conio.textscreen import (
     wherey,
     window,
 )
+from bgi.console.lineinput import LONGEST, read_line
 from bgi.constants import (
     _NOCURSOR,
     _NORMALCURSOR,
@@ -59,6 +63,7 @@ from bgi.constants import (
     WHITE,
     YELLOW,
 )
+from bgi.errors import brief
 from bgi.fonts.codepage import encode
 from bgi.kernel.arguments import Number, whole
 from bgi.settings import text_info
@@ -70,9 +75,9 @@ __all__ = [
     "textattr", "textcolor", "textbackground", "highvideo", "lowvideo", "normvideo",
     "gettextinfo", "gettext", "puttext", "movetext", "_setcursortype", "text_info",
     # Writing
-    "cputs", "putch",
+    "cprintf", "cputs", "putch",
     # The keyboard
-    "EOF", "getch", "getche", "kbhit", "ungetch",
+    "EOF", "getch", "getche", "kbhit", "ungetch", "cgets", "cscanf", "getpass",
     # Text modes, cursors, colours
     "LASTMODE", "BW40", "C40", "BW80", "C80", "MONO", "C4350",
     "_NOCURSOR", "_SOLIDCURSOR", "_NORMALCURSOR",
@@ -134,9 +139,81 @@ def cputs(text: str | bytes) -> int:
     return codes[-1] if codes else 0
 
 
+def cprintf(format: str | bytes, *args: Any) -> int:
+    """Write numbers and texts at the cursor by a format, in the attribute of now.
+
+    Args:
+        format: the text, with a conversion such as `%d` or `%-10s` for each argument, as in
+            `bgi.stdio.printf`. "\\r\\n" is a new line: "\\n" alone goes straight down.
+        args: what the conversions show.
+
+    Wraps at the window's edge and scrolls at its end. Returns how many characters were written.
+    TypeError for an argument that is missing or of the wrong kind, ValueError for one out of range:
+    nothing is written then. Source: conio.h.
+    """
+    codes = encode(printf.format(format, *args))
+    (current.crt or current.console()).write(codes, _wscroll, directvideo)
+    return len(codes)
+
+
+# Reading
+
+
 def getche() -> int:
     """Wait for a key, show it at the cursor and return its code.
 
     Otherwise like getch(); it is shown as putch() shows it. Source: conio.h.
     """
     return putch(getch())
+
+
+def cgets(longest: Number = 126) -> str:
+    """Read a line that is typed in the window, and return it without its end.
+
+    Args:
+        longest: how many characters there is room for, 1 to 254; C's function has that and one more
+            in its first byte.
+
+    Backspace takes back, Esc all of it. Raises what getch() does, and KeyboardInterrupt at Ctrl-C.
+    Source: conio.h.
+    """
+    room = whole("longest", longest)
+    if not 1 <= room <= 254:
+        raise ValueError(f"longest must be 1 to 254, not {brief(room)}")
+    return _line(room)
+
+
+def cscanf(format: str | bytes) -> Any:
+    """Read numbers and words that are typed in the window, from one line.
+
+    Args:
+        format: what to read, a conversion such as `%d` or `%s` for each value.
+
+    Returns what `bgi.stdio.scanf` returns: the value where the format has one conversion, otherwise
+    a tuple; None for what was not typed. Raises what getch() does. Source: conio.h.
+    """
+    return scanf.sscanf(_line(LONGEST), format)
+
+
+def getpass(prompt: str | bytes) -> str:
+    """Write a text and read a word that is typed unseen, of 8 characters at most.
+
+    Args:
+        prompt: the text.
+
+    Raises what getch() does. Source: conio.h.
+    """
+    cputs(prompt)
+    current.console()
+    typed = read_line(current.screen.monitor.read_keystroke, lambda codes: None, lambda: None, 8)
+    cputs(b"\r\n")
+    return typed.decode("cp437")
+
+
+def _line(longest: int) -> str:
+    """A line that is typed, shown in the window."""
+    current.console()
+    next_key = current.screen.monitor.read_keystroke
+    typed = read_line(next_key, cputs, lambda: cputs(b"\b \b"), longest)
+    cputs(b"\r\n")
+    return typed.decode("cp437")

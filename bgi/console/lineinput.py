@@ -10,8 +10,8 @@ ENTER, BACKSPACE, ESCAPE, TAB, CTRL_C = b"\r", b"\b", b"\x1b", b"\t", b"\x03"
 
 def read_line(
     next_key: Callable[[], bytes],
-    show: Callable[[bytes], None],
-    erase: Callable[[], None],
+    show: Callable[[bytes], object],
+    erase: Callable[[], object],
     longest: int = LONGEST,
 ) -> bytes:
     """Read a line; Enter ends it and is not part of it.

@@ -65,7 +65,7 @@ class Monitor(Protocol):
         """Name the window."""
 
     def linger(self) -> None:
-        """The program has ended: let what is on show be read, if somebody is there. Never raises."""
+        """The program has ended: let the screen be read, if somebody is there. Never raises."""
 
     def close(self) -> None:
         """Let go of everything; a second time does nothing. Never raises."""

@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from bgi import conio, current
+from bgi import conio, stdio
 
 
 def call(name, *arguments):
@@ -12,11 +12,10 @@ def call(name, *arguments):
     if name == "_wscroll":
         conio._wscroll = arguments[0]
         return []
-    if name == "cprintf":  # the texts have no percent signs in them
-        conio.cputs(arguments[0].encode("latin-1"))
-        return [len(arguments[0])]
+    if name == "cprintf":
+        return [conio.cprintf(arguments[0])]
     if name == "printf":
-        current.console().print(arguments[0].encode("latin-1"))
+        stdio.printf(arguments[0])
         return []
     answer = getattr(conio, name)(*arguments)
     return list(dataclasses.astuple(answer)) if dataclasses.is_dataclass(answer) else answer
