@@ -9,7 +9,6 @@ header has is imported by name, as in `from bgi.dos import random, randomize`.
 from __future__ import annotations
 
 import time as _time
-from calendar import timegm
 from dataclasses import dataclass
 
 from bgi import current
@@ -189,6 +188,8 @@ def random(num: Number) -> int:
 
 def randomize() -> None:
     """Make rand() and random() different in every run, by the clock. Source: stdlib.h."""
+    from calendar import timegm  # late, as most programs need it never
+
     srand(timegm(_local(_now())))
 
 

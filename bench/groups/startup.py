@@ -18,18 +18,26 @@ SDL_HELLO = f"from sdl_bgi import *; initgraph(SDL, SDL_640x480); {DRAWN}"
 PLOT = "-m", "surfaces", "sin(x*y)/2", "-o"
 
 
-def python(source: str, environment: Mapping[str, str] | None = None) -> Task:
-    """Time a fresh interpreter with a program."""
-    settings = {**os.environ, **(environment or {})}
+def _settings(more: Mapping[str, str]) -> dict[str, str]:
+    """The environment of a program that finds its modules compiled, as installed ones are."""
+    settings = {**os.environ, **more}
+    settings.pop("PYTHONDONTWRITEBYTECODE", None)
     if LIBRARY in os.environ:  # where SDL_bgi's module looks for it
         settings["LD_LIBRARY_PATH"] = str(Path(os.environ[LIBRARY]).resolve().parent)
+    return settings
+
+
+def python(source: str, environment: Mapping[str, str] | None = None) -> Task:
+    """Time a fresh interpreter with a program."""
+    settings = _settings(environment or {})
     return lambda _: wall_seconds([sys.executable, "-c", source], settings)
 
 
 def plot(_: int) -> float:
     """Time `python -m surfaces`."""
     with tempfile.TemporaryDirectory() as folder:
-        return wall_seconds([sys.executable, *PLOT, str(Path(folder) / "picture.png")])
+        command = [sys.executable, *PLOT, str(Path(folder) / "picture.png")]
+        return wall_seconds(command, _settings({}))
 
 
 def rows() -> list[Row]:
@@ -37,7 +45,7 @@ def rows() -> list[Row]:
     dummy = {"SDL_VIDEODRIVER": "dummy"}
     window = {"BGI_MONITOR": "window"} | ({} if display_exists() else dummy)
     tasks: dict[str, dict[str, Task]] = {
-        "import bgi": {OURS: python("import bgi"), "pygame": python("import pygame")},
+        "import bgi": {OURS: python("import bgi"), "pygame": python("import numpy, pygame")},
         "first picture, no window": {OURS: python(HELLO, {"BGI_MONITOR": "none"})},
         "first picture in a window": {OURS: python(HELLO, window)},
         "python -m surfaces, to a file": {OURS: plot},

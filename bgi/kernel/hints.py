@@ -1,6 +1,5 @@
 """What may have been meant: added to the words of an error, for those that beginners make."""
 
-import difflib
 import inspect
 import re
 import sys
@@ -20,6 +19,8 @@ def for_argument(name: str, value: object) -> str:
     """A hint for an argument that is no number; empty if there is none."""
     if isinstance(value, str):
         word = re.sub(r"[\W_]", "", value).upper()
+        import difflib  # late, as most programs make no mistake
+
         close = difflib.get_close_matches(word, _NAMES, 1, CLOSE)
         if close:
             return f"; did you mean {_NAMES[close[0]]}, without quotes?"

@@ -1,6 +1,6 @@
 """The text modes of conio.h: how many characters a screen has, and how high they are."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from bgi.constants import BW40, BW80, C40, C80, C4350, MONO
 
@@ -9,8 +9,7 @@ CELL_WIDTH = 8
 text modes; left out, the screen is as wide as that of graphics: chosen.)"""
 
 
-@dataclass(frozen=True, slots=True)
-class TextMode:
+class TextMode(NamedTuple):
     """One row of the table."""
 
     number: int

@@ -40,18 +40,22 @@ A change of mode writes the width last and sets it to 0 first. A monitor that fi
 twice in a row has therefore not read half of one.
 """
 
+from __future__ import annotations
+
 import contextlib
 import mmap
 import os
 import struct
 import sys
 import weakref
-from typing import Any, NamedTuple, Self
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from bgi.kernel.textmodes import CELL_WIDTH
+
+# numpy is imported late: the window's process opens the window without it, in half of the time.
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 MAGIC = b"BGICARD\0"
 VERSION = 2
@@ -266,7 +270,13 @@ class Card:
     @property
     def palette(self) -> npt.NDArray[np.uint8]:
         """The colours as a (256, 3) array of red, green, blue: a view, write to it."""
+        import numpy as np
+
         return np.frombuffer(self._map, np.uint8, PALETTE_BYTES, AT_PALETTE).reshape(256, 3)
+
+    def colors(self) -> bytes:
+        """A copy of the palette: red, green, blue of each index."""
+        return self._map[AT_PALETTE : AT_PALETTE + PALETTE_BYTES]
 
     def page(self, number: int) -> memoryview:
         """The bytes of one page, writable, row by row; ValueError if there is no such page."""
@@ -305,6 +315,8 @@ class Card:
 
     def checksum(self) -> int:
         """A number that tells whether anything has changed: any pixel, colour or setting."""
+        import numpy as np
+
         used = AT_PIXELS + self.width * self.height * self.pages * self.pixel_bytes
         return int(np.frombuffer(self._map, np.uint64, used // 8).sum())
 

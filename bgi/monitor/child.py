@@ -163,7 +163,7 @@ class Child:
         frame = self._card.frame()
         if frame is not None:
             now = time.monotonic()
-            recorder.add(now, at_moment(frame, now), self._card.palette.tobytes())
+            recorder.add(now, at_moment(frame, now), self._card.colors())
 
     def _stop_recording(self) -> None:
         """Write the recording in a thread of its own: the window goes on meanwhile."""

@@ -6,13 +6,11 @@ import sys
 import time
 from pathlib import Path
 
-import numpy as np
-
 from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame, quietly
 from bgi.monitor import art
 from bgi.monitor.letters import at_moment
-from bgi.monitor.picture import Colors, Shape, fit, inside, largest, shot, surface
+from bgi.monitor.picture import Shape, fit, inside, largest, shot, surface
 from bgi.monitor.protocol import TITLE
 
 NOTICE_SECONDS = 2.5  # how long the title says what has just happened
@@ -57,7 +55,7 @@ class Display:
     def update(self) -> bool:
         """Present what the card shows, unless it is on show already; return whether it was not."""
         frame = self._card.frame()
-        palette = self._card.palette.tobytes()
+        palette = self._card.colors()
         if frame is None:
             return False
         frame = at_moment(frame, time.monotonic())
@@ -68,12 +66,12 @@ class Display:
         if shape != self._shape:
             self._shape = shape
             self._open()
-        self._paint(frame, np.frombuffer(palette, np.uint8).reshape(256, 3))
+        self._paint(frame, palette)
         pygame.display.flip()
         self.presents += 1
         return True
 
-    def _paint(self, frame: Frame, palette: Colors) -> None:
+    def _paint(self, frame: Frame, palette: bytes) -> None:
         self._page.blit(surface(frame, palette), (0, 0))
         if self._pointer is not None:
             self._page.blit(self._arrow, self._pointer)
@@ -86,6 +84,9 @@ class Display:
 
     def _darken(self) -> None:
         """Between the lines of a picture tube it is dark, where there is room for that."""
+        import numpy as np
+        import pygame.surfarray  # which needs numpy: left out when pygame was imported
+
         rows = pygame.surfarray.pixels2d(self._view).T
         ends = np.arange(1, len(rows) + 1) * self._shape.height // len(rows)
         if len(rows) >= 2 * self._shape.height:
@@ -187,7 +188,7 @@ class Display:
             return
         try:
             file = free_name(self._folder, "png")
-            file.write_bytes(shot(frame, self._card.palette))
+            file.write_bytes(shot(frame, self._card.colors()))
         except OSError as error:
             self.notice(f"not saved: {error.strerror}")
         else:

@@ -217,7 +217,7 @@ class Headless:
     def _record(self) -> None:
         if self._recorder is None or self._card is None:
             return
-        frame, palette = self._card.frame(), self._card.palette.tobytes()
+        frame, palette = self._card.frame(), self._card.colors()
         if frame is None:
             return
         if (frame, palette) != self._recorded[1]:

@@ -1,11 +1,16 @@
 """From the cells of a text mode to pixels: characters in the ROM's font, blinking, the cursor."""
 
-import numpy as np
-from numpy.typing import NDArray
+from __future__ import annotations
 
-from bgi.fonts.rom import glyphs
+from typing import TYPE_CHECKING
+
 from bgi.kernel.textmodes import CELL_WIDTH
 from bgi.memory.card import Frame, TextFrame
+
+# numpy, and what needs it, is imported late: most windows open without it, in half of the time.
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 # Seconds: the VGA counts 70 pictures a second, and the cursor is seen for eight, dark for eight;
 # characters take twice as long.
@@ -28,13 +33,17 @@ def at_moment(frame: Frame, seconds: float) -> Frame:
     dark = phase(seconds)
     if not _has_cursor(text):
         dark &= 2
-    if text.attributes == _BRIGHT or not (np.frombuffer(frame.pixels, np.uint8)[1::2] & 128).any():
+    if text.attributes == _BRIGHT or frame.pixels[1::2].isascii():
         dark &= 1
     return frame._replace(text=text._replace(phase=dark))
 
 
 def drawn(frame: Frame, text: TextFrame) -> NDArray[np.uint8]:
     """The palette indices of a text mode's picture, shape (height, width)."""
+    import numpy as np
+
+    from bgi.fonts.rom import glyphs
+
     cells = np.frombuffer(frame.pixels, np.uint8).reshape(text.rows, text.columns, 2)
     codes, attributes = cells[..., 0], cells[..., 1]
     ink, paper = attributes & 15, attributes >> 4

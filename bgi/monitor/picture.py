@@ -5,20 +5,22 @@ from mode to mode. A picture is enlarged by a whole number of screen pixels acro
 4:3 then asks for.
 """
 
+from __future__ import annotations
+
 import math
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from bgi.memory import imagefile
 from bgi.memory.card import Frame
-from bgi.memory.matching import true_colors
 from bgi.memory.sdl import pygame
 from bgi.monitor.letters import drawn
 
-Colors = npt.NDArray[np.uint8]
-Pixels = npt.NDArray[Any]
+# numpy, and what needs it, is imported late: most windows open without it, in half of the time.
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Pixels = npt.NDArray[Any]
+    Colors = npt.NDArray[np.uint8]
 
 
 class Shape(NamedTuple):
@@ -81,21 +83,39 @@ def pixels(frame: Frame) -> Pixels:
     """The numbers of a frame's pixels, shape (height, width): indices, or also colours."""
     if frame.text is not None:
         return drawn(frame, frame.text)
+    import numpy as np
+
     kind = np.dtype(np.uint8) if frame.pixel_bytes == 1 else np.dtype("<u4")
     return np.frombuffer(frame.pixels, kind).reshape(frame.height, frame.width)
 
 
-def surface(frame: Frame, palette: Colors) -> pygame.Surface:
+def colors(palette: bytes) -> Colors:
+    """A card's colours as an array (256, 3)."""
+    import numpy as np
+
+    return np.frombuffer(palette, np.uint8).reshape(256, 3)
+
+
+def colored(frame: Frame, palette: bytes) -> bytes:
+    """The colours of a window's pixels, of four bytes each."""
+    from bgi.memory.matching import true_colors
+
+    return true_colors(pixels(frame), colors(palette)).tobytes()
+
+
+def surface(frame: Frame, palette: bytes) -> pygame.Surface:
     """The picture of a frame, one pixel for each of the frame's."""
-    numbers, size = pixels(frame), (frame.width, frame.height)
+    size = frame.width, frame.height
     if frame.pixel_bytes == 4:
-        return pygame.image.frombuffer(true_colors(numbers, palette).tobytes(), size, "RGBX")
-    indices = frame.pixels if frame.text is None else numbers.tobytes()
+        return pygame.image.frombuffer(colored(frame, palette), size, "RGBX")
+    indices = frame.pixels if frame.text is None else pixels(frame).tobytes()
     picture = pygame.image.frombuffer(indices, size, "P")
-    picture.set_palette(palette.tolist())
+    picture.set_palette(list(zip(palette[::3], palette[1::3], palette[2::3], strict=True)))
     return picture
 
 
-def shot(frame: Frame, palette: Colors) -> bytes:
+def shot(frame: Frame, palette: bytes) -> bytes:
     """A PNG file of a frame: its indices and palette, or its colours."""
-    return imagefile.png(pixels(frame), palette)
+    from bgi.memory import imagefile
+
+    return imagefile.png(pixels(frame), colors(palette))

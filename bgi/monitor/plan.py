@@ -63,7 +63,7 @@ class Plan:
         """Remember what is on show, for a program that writes nothing on its text screen later."""
         frame = card.frame() if self.shot else None
         if frame is not None:
-            self.kept = shot(frame, card.palette)
+            self.kept = shot(frame, card.colors())
 
     def take_shot(self, card: Card) -> None:
         """Write the picture that is planned, once."""
@@ -72,7 +72,7 @@ class Plan:
             file, self.shot = self.shot, ""
             blank = frame.text is not None and not frame.pixels[::2].strip(b"\0 ")
             with saving(file):
-                picture = self.kept if blank and self.kept else shot(frame, card.palette)
+                picture = self.kept if blank and self.kept else shot(frame, card.colors())
                 Path(file).write_bytes(picture)
 
 

@@ -8,7 +8,6 @@ and wait like any other part of the program.
 import queue
 import threading
 import time
-import traceback
 from collections import deque
 from collections.abc import Callable
 from typing import NamedTuple
@@ -224,4 +223,6 @@ class Mouse:
                     try:
                         handler(event)
                     except Exception:
+                        import traceback  # late, as most programs make no mistake
+
                         traceback.print_exc()

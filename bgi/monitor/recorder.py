@@ -9,12 +9,9 @@ import zlib
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from bgi.errors import BGIError
 from bgi.memory.card import Frame
-from bgi.memory.matching import true_colors
-from bgi.monitor.picture import Colors, pixels
+from bgi.monitor.picture import colored, pixels
 
 TICK = 0.01  # seconds: the GIF's unit of time
 SHORTEST = 2  # ticks: browsers show a picture that is meant to be shorter far too long
@@ -77,9 +74,9 @@ class Recorder:
 
         size, before, marked = None, None, False
         for number in numbers:
-            _, packed, colors = self._frames[number]
+            _, packed, palette = self._frames[number]
             frame = packed._replace(pixels=zlib.decompress(packed.pixels))
-            image = _image(frame, np.frombuffer(colors, np.uint8).reshape(256, 3))
+            image = _image(frame, palette)
             size = size or image.size
             image = image if image.size == size else image.resize(size, Image.Resampling.NEAREST)
             same = before is not None and self._frames[number][1:] == self._frames[before][1:]
@@ -102,14 +99,12 @@ def _marked(image: Any) -> Any:
     return marked.quantize(256)
 
 
-def _image(frame: Frame, palette: Colors) -> Any:
+def _image(frame: Frame, palette: bytes) -> Any:
     from PIL import Image
 
     size = frame.width, frame.height
-    numbers = pixels(frame)
-    if numbers.dtype == np.uint8:
-        image = Image.frombytes("P", size, numbers.tobytes())
-        image.putpalette(palette.tobytes())
-        return image
-    numbers = true_colors(numbers, palette)
-    return Image.frombytes("RGB", size, numbers.tobytes(), "raw", "RGBX").quantize(256)
+    if frame.pixel_bytes == 4:
+        return Image.frombytes("RGB", size, colored(frame, palette), "raw", "RGBX").quantize(256)
+    image = Image.frombytes("P", size, pixels(frame).tobytes())
+    image.putpalette(palette)
+    return image

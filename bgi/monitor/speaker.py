@@ -5,8 +5,7 @@ number of counts had passed: a whole number, so that pitches are not exact, here
 for samples when it needs them (`fill`), and the wave goes on where it was.
 """
 
-import numpy as np
-import numpy.typing as npt
+from array import array
 
 from bgi.memory.sdl import pygame, quietly
 
@@ -36,15 +35,16 @@ class Speaker:
             with quietly():
                 self._device = self._open()
 
-    def fill(self, samples: npt.NDArray[np.int16]) -> None:
-        """Write the next samples."""
-        step = self._step
-        if not step:
-            samples.fill(0)
-            return
-        phases = (self._phase + step * np.arange(len(samples))) % 1.0
-        samples[:] = np.where(phases < 0.5, LOUDNESS, -LOUDNESS)
-        self._phase = (self._phase + step * len(samples)) % 1.0
+    def fill(self, samples: memoryview) -> None:
+        """Write the next samples, numbers of 16 bits."""
+        step, phase, count = self._step, self._phase, len(samples)
+        if step:
+            phases = ((phase + step * number) % 1.0 for number in range(count))
+            wave = array("h", [LOUDNESS if part < 0.5 else -LOUDNESS for part in phases])
+        else:
+            wave = array("h", bytes(2 * count))
+        samples[:] = memoryview(wave)
+        self._phase = (phase + step * count) % 1.0
 
     def _open(self) -> object:
         """Start the sound card; None if there is none. It is never paused: that could deadlock."""
@@ -61,7 +61,7 @@ class Speaker:
                 numchannels=1,
                 chunksize=CHUNK,
                 allowed_changes=0,
-                callback=lambda device, memory: self.fill(np.frombuffer(memory, np.int16)),
+                callback=lambda device, memory: self.fill(memoryview(memory).cast("h")),
             )
         except (pygame.error, _sdl2.error, IndexError):
             return None

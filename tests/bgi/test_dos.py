@@ -6,6 +6,7 @@ import random
 import subprocess
 import sys
 import time
+from array import array
 from calendar import timegm
 
 import pytest
@@ -238,10 +239,8 @@ def test_what_was_played_and_when() -> None:
 
 
 def samples(speaker: Speaker, count: int) -> list[int]:
-    import numpy as np
-
-    room = np.ones(count, np.int16)
-    speaker.fill(room)
+    room = array("h", [1] * count)
+    speaker.fill(memoryview(room))
     return room.tolist()
 
 

@@ -93,7 +93,7 @@ def test_the_picture_inside_a_window(
 
 def test_indices_take_their_colours_from_the_palette() -> None:
     numbers = np.arange(256, dtype=np.uint8).reshape(16, 16)
-    picture = surface(Frame(16, 16, 1, False, numbers.tobytes()), PALETTE)
+    picture = surface(Frame(16, 16, 1, False, numbers.tobytes()), PALETTE.tobytes())
     assert pygame.image.tobytes(picture, "RGB") == PALETTE.tobytes()
 
 
@@ -102,7 +102,7 @@ def test_a_pixel_of_four_bytes_is_an_index_below_16_and_else_a_colour() -> None:
         [[0, 15, 16, 0xFFFFFF], [0x03000000, 0x0300FF80, 0xFF123456, 0x10000005]], "<u4"
     )
     frame = Frame(4, 2, 4, True, numbers.tobytes())
-    picture = surface(frame, PALETTE)
+    picture = surface(frame, PALETTE.tobytes())
     seen = np.frombuffer(pygame.image.tobytes(picture, "RGB"), np.uint8).reshape(8, 3)
     assert seen.tolist() == [
         PALETTE[0].tolist(),

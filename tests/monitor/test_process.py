@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bgi.monitor import process
+from bgi.memory.card import Card
+from bgi.monitor import Window, process
 from tests.processes import posix
 
 HOME = str(Path(__file__).resolve().parents[2])
@@ -72,6 +73,26 @@ def test_a_random_beside_the_program_does_not_keep_bgi_from_being_imported(tmp_p
     (tmp_path / "random.py").write_text("raise SystemExit('ran')", "utf-8")
     ran = run(program(tmp_path), cwd=tmp_path)
     assert (ran.stdout, ran.stderr, ran.returncode) == ("0\n", "", 0)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="asks the kernel what a process has loaded")
+def test_the_window_opens_without_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    card = Card()
+    card.set_mode(640, 480, 2)
+    window = Window(card)
+
+    def loaded(name: str) -> bool:
+        return name in Path(f"/proc/{window.pid}/maps").read_text("utf-8")
+
+    try:
+        window.show()
+        assert loaded("pygame") and not loaded("numpy")
+        card.set_mode(320, 240, 2, 4)  # where pixels are colours it is needed
+        window.show()
+        assert loaded("numpy")
+    finally:
+        window.close()
 
 
 @pytest.mark.parametrize("flag", ["-I", "-E"])

@@ -20,10 +20,14 @@ PALETTE = np.random.default_rng(1).integers(0, 256, (256, 3), np.uint8)
 
 def test_a_shot_of_either_kind_of_frame() -> None:
     indices = bytes([1, 2, 3, 4, 5, 6])
-    image = pygame.image.load(io.BytesIO(shot(Frame(3, 2, 1, False, indices), PALETTE)), "x.png")
+    image = pygame.image.load(
+        io.BytesIO(shot(Frame(3, 2, 1, False, indices), PALETTE.tobytes())), "x.png"
+    )
     assert image.get_buffer().raw[:3] == indices[:3]
     four = np.array([[3, 0x03123456]], "<u4").tobytes()
-    image = pygame.image.load(io.BytesIO(shot(Frame(2, 1, 4, True, four), PALETTE)), "x.png")
+    image = pygame.image.load(
+        io.BytesIO(shot(Frame(2, 1, 4, True, four), PALETTE.tobytes())), "x.png"
+    )
     assert [tuple(image.get_at((x, 0)))[:3] for x in (0, 1)] == [
         tuple(PALETTE[3].tolist()),
         (0x56, 0x34, 0x12),
