@@ -6,6 +6,7 @@ The pieces are those of `surface`, see `surfaces.plot`.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from math import pi
 from typing import Any
 
@@ -13,6 +14,7 @@ from surfaces import checks
 from surfaces.arrays import Doubles
 from surfaces.look import BLANK, Look
 from surfaces.scene import Plot
+from surfaces.shape.rulers import rulers
 from surfaces.shape.sampling import Function, Interval, Table
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
@@ -35,6 +37,7 @@ def parametric(
     theta: float = pi / 4,
     rho_z: float = 1.0,
     zfrac: float | None = None,
+    log: str = "",
     color: str | Function | Table = "z",
     ramp: str | Ramp = "rainbow",
     under: str | Ramp | None = None,
@@ -62,6 +65,7 @@ def parametric(
         theta: As for `surface`.
         rho_z: As for `surface`.
         zfrac: As for `surface`; None keeps the shape, so that a sphere is round.
+        log: As for `surface`. A point with a number not above 0 there is a hole.
         color: What the colours show: "z", a function of u and v, a number for every node.
         ramp: As for `surface`.
         under: The colours of the under side, the one from which u to v turns clockwise. None: the
@@ -88,6 +92,7 @@ def parametric(
         theta=theta,
         rho_z=rho_z,
         zfrac=zfrac,
+        log=log,
         ramp=ramp,
         under=ramp if under is None else under,
         dither=dither,
@@ -99,7 +104,8 @@ def parametric(
         colorbar=colorbar,
         on=on,
     )
-    return _draw_sheet(Sheet.sample(f, u, v, n), look, mode, transform, mapping, color)
+    sheet = Sheet.sample(f, u, v, n, partial(rulers, look.log))
+    return _draw_sheet(sheet, look, mode, transform, mapping, color)
 
 
 def sheet(
@@ -114,6 +120,7 @@ def sheet(
     theta: float = pi / 4,
     rho_z: float = 1.0,
     zfrac: float | None = None,
+    log: str = "",
     color: str | Table = "z",
     ramp: str | Ramp = "rainbow",
     under: str | Ramp | None = None,
@@ -143,6 +150,7 @@ def sheet(
         rho_z: As for `surface`.
         zfrac: As for `surface`; None keeps the shape, so that a ball is round. For a landscape,
             whose z is in other units, give a number.
+        log: As for `surface`. A point with a number not above 0 there is a hole.
         color: What the colours show: "z", or an array like x, y and z.
         ramp: As for `surface`.
         under: The colours of the under side, the one from which rows to columns turn clockwise.
@@ -170,6 +178,7 @@ def sheet(
         theta=theta,
         rho_z=rho_z,
         zfrac=zfrac,
+        log=log,
         ramp=ramp,
         under=ramp if under is None else under,
         dither=dither,
@@ -181,7 +190,8 @@ def sheet(
         colorbar=colorbar,
         on=on,
     )
-    return _draw_sheet(Sheet.of(x, y, z), look, mode, transform, mapping, color)
+    points = Sheet.of(x, y, z, rulers(look.log, x, y))
+    return _draw_sheet(points, look, mode, transform, mapping, color)
 
 
 def _draw_sheet(
@@ -192,11 +202,11 @@ def _draw_sheet(
     mapping: Projection | None,
     color: str | Function | Table,
 ) -> Plot:
-    stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping)
+    stage = look.stage(mode, sheet.box, sheet.points.shape[:2], transform, mapping, sheet.rulers)
     if sheet.blank and mode != "wire":
         raise ValueError(BLANK)
     shown = sheet.field(color)
     picture = SheetPicture(stage.easel, sheet.around(stage.origin), shown)
-    with stage.surroundings(shown.limits):
+    with stage.surroundings(shown.limits, color):
         painter.MODES[mode](picture)
     return stage.plot(picture, shown.limits)

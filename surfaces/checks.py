@@ -94,6 +94,14 @@ def axes(name: str, given: Any) -> bool | tuple[str, ...]:
     return tuple(text(name, one) for one in given)
 
 
+def log(name: str, given: Any) -> str:
+    """Which axes are logarithmic, each by its letter."""
+    letters = text(name, given)
+    if set(letters) - set("xyz") or len(set(letters)) < len(letters):
+        raise ValueError(f'{name} must be made of x, y and z, as in "xz", not {given!r:.60}')
+    return letters
+
+
 def levels(name: str, given: Any) -> int | list[float]:
     """How many contour lines, or at which heights."""
     if _is_series(given) or isinstance(given, range):

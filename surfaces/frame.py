@@ -12,13 +12,13 @@ from itertools import pairwise, product
 import numpy as np
 
 from surfaces.arrays import Doubles
+from surfaces.shape.rulers import PLAIN, Ruler, Rulers
 from surfaces.shape.sampling import Interval
 from surfaces.space.fitting import Room
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import DARKGRAY, LIGHTGRAY, WHITE, Pen
-from surfaces.ticks import labels, ticks
 
 Area = tuple[Doubles, Doubles]
 """The upper left and the lower right corner of something on the screen, (2,) each."""
@@ -26,6 +26,8 @@ Area = tuple[Doubles, Doubles]
 EDGE_COLOR, GRID_COLOR, TEXT_COLOR = LIGHTGRAY, DARKGRAY, WHITE
 # In characters: the length of a tick, the bar of colours, and the bar with its numbers.
 TICK, BAR, BAR_AND_NUMBERS = 0.6, 1.75, 9
+APART = 0.25
+"""The least distance of small ticks, in characters."""
 
 
 def room(pen: Pen, axes: bool, title: bool, colorbar: bool) -> Room:
@@ -48,6 +50,8 @@ class Frame:
     """(3,): ... and the highest."""
     origin: Doubles
     """(3,): the point that the view counts from."""
+    rulers: Rulers = PLAIN
+    """Those of x, y and z."""
 
     @property
     def far(self) -> Doubles:
@@ -93,7 +97,7 @@ class Frame:
         """A grid on the far faces, at the numbers of the axes."""
         starts, ends = [], []
         for axis in range(3):
-            for value in ticks(self.low[axis], self.high[axis]):
+            for value in self.rulers[axis].marks(self.low[axis], self.high[axis]).places:
                 for other in range(3):
                     if other != axis:
                         start, stop = self.far.copy(), self.far.copy()
@@ -165,11 +169,10 @@ class Frame:
         length = float(np.hypot(*along))
         # A number needs six characters' room along a level axis, two along an upright one.
         apart = character * (6 * abs(along[0]) + 2.5 * abs(along[1])) / length
-        for about in range(max(1, min(5, int(length / apart))), 0, -1):
-            values = ticks(low, high, about)
-            texts, note = labels(values)
-            parts = (np.array(values) - low) / ((high - low) or 1.0)
-            feet = self._on_screen(edge[0] + parts[:, None] * (edge[1] - edge[0]))
+        most = max(1, min(5, int(length / apart)))
+        for about, least in [*((about, 2) for about in range(most, 0, -1)), (1, 1)]:
+            values, (texts, note), between = self.rulers[axis].marks(low, high, about, least)
+            feet = self._along(edge, axis, values)
             tips = feet + TICK * character * outward
             places = [
                 self._place(tip, outward, text) for tip, text in zip(tips, texts, strict=True)
@@ -178,7 +181,17 @@ class Frame:
             if not any(_touch(one, next_) for one, next_ in pairwise(there)):
                 break
         self.pen.lines(feet, tips, self.pen.ink(EDGE_COLOR))
+        small = self._along(edge, axis, between)
+        apart = np.hypot(*np.diff(self._along(edge, axis, sorted([*values, *between])), axis=0).T)
+        if len(between) and apart.min() >= APART * character:
+            self.pen.lines(small, small + TICK / 2 * character * outward, self.pen.ink(EDGE_COLOR))
         return texts, places, note
+
+    def _along(self, edge: tuple[Doubles, Doubles], axis: int, places: Sequence[float]) -> Doubles:
+        """Where places of an axis appear along an edge, (n, 2)."""
+        low, high = edge[0][axis], edge[1][axis]
+        parts = (np.array(places) - low) / ((high - low) or 1.0)
+        return self._on_screen(edge[0] + parts[:, None] * (edge[1] - edge[0]))
 
     def _beside(
         self, ends: Doubles, outward: Doubles, widest: int
@@ -243,7 +256,7 @@ def area_of_bar(pen: Pen) -> Area:
     return np.array((left, top)), np.array((pen.width, bottom))
 
 
-def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
+def draw_bar(pen: Pen, palette: Palette, limits: Interval, ruler: Ruler) -> None:
     """A bar at the right that shows what the colours stand for, the least value at its foot."""
     character = pen.character
     left = pen.width - character * BAR_AND_NUMBERS
@@ -261,8 +274,7 @@ def draw_bar(pen: Pen, palette: Palette, limits: Interval) -> None:
     around = corners.astype(np.float64)
     pen.lines(around, np.roll(around, -1, axis=0), pen.ink(EDGE_COLOR))
     low, high = limits
-    values = ticks(low, high, about=7)
-    texts, note = labels(values)
+    values, (texts, note), _ = ruler.marks(low, high, about=7)
     for line, part_of_note in enumerate(reversed(note.split())):
         # Above the bar and its uppermost number, up to the edge of the screen.
         above = top - (2 + 1.25 * line) * character

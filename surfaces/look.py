@@ -15,6 +15,7 @@ from surfaces import checks, frame
 from surfaces.arrays import Box, Doubles, corners, keep_freed_memory, middle
 from surfaces.frame import Frame, draw_bar, write_title
 from surfaces.scene import Plot
+from surfaces.shape.rulers import EVEN, Rulers
 from surfaces.shape.sampling import HUGE, Interval, real
 from surfaces.space.fitting import fit
 from surfaces.space.mapping import Mapping, Projection
@@ -33,6 +34,7 @@ CHECKS: dict[str, Callable[[str, Any], Any]] = {
     "theta": checks.number,
     "rho_z": checks.number,
     "zfrac": checks.or_none(checks.number),
+    "log": checks.log,
     "dither": checks.flag,
     "lines": checks.or_none(checks.one_or_two),
     "every": checks.or_none(checks.count),
@@ -60,6 +62,8 @@ class Look:
     """... and heights compressed by this: 0 < rho_z <= 1."""
     zfrac: float | None
     """The part of the screen's height that z takes, 0 to 1. None: one scale for all axes."""
+    log: str
+    """The axes that are logarithmic, such as "xz"."""
     ramp: str | Ramp
     """The colours of the upper side, by a name of `RAMPS` or mixed by hand."""
     under: str | Ramp
@@ -100,6 +104,7 @@ class Look:
         nodes: tuple[int, ...],
         transform: Doubles | None,
         mapping: Projection | None,
+        rulers: Rulers,
     ) -> "Stage":
         """Make ready to draw a surface.
 
@@ -109,6 +114,7 @@ class Look:
             nodes: How many nodes it has in each direction.
             transform: 4x4, what moves it before it is mapped. None: nothing.
             mapping: How it is mapped to the screen. None: so that it fits.
+            rulers: Those of its axes.
         """
         keep_freed_memory()
         pen = Pen(self.on)
@@ -125,7 +131,7 @@ class Look:
             under_ink=under_ink,
             every=self.every or max(1, round(max(nodes) / MESH_LINES)),
         )
-        return Stage(self, easel, box, mapping, fitted, T)
+        return Stage(self, easel, box, mapping, fitted, T, rulers)
 
     def _fitted(
         self, pen: Pen, box: Box, mapping: Projection | None, turning: bool
@@ -172,6 +178,8 @@ class Stage:
     """4x4: puts the surface, counted from the origin, into the middle of that space."""
     moved: Doubles
     """4x4: the same, and then what turns it there."""
+    rulers: Rulers
+    """Those of the surface's axes."""
 
     @property
     def origin(self) -> Doubles:
@@ -190,7 +198,7 @@ class Stage:
     @property
     def frame(self) -> Frame:
         """The box and the axes around the surface."""
-        return Frame(self.easel.pen, self.easel.view, *self.box, self.origin)
+        return Frame(self.easel.pen, self.easel.view, *self.box, self.origin, self.rulers)
 
     @property
     def heights(self) -> Interval:
@@ -215,13 +223,15 @@ class Stage:
 
     def plot(self, picture: Picture, limits: Interval) -> Plot:
         """What was drawn on it, to be asked about."""
-        return Plot(self.mapping, self.transform, self.scales, self.box, limits, picture)
+        return Plot(
+            self.mapping, self.transform, self.scales, self.box, limits, picture, self.rulers
+        )
 
     @contextmanager
-    def surroundings(self, limits: Interval) -> Iterator[None]:
+    def surroundings(self, limits: Interval, color: Any) -> Iterator[None]:
         """What lies behind the surface; then the block draws the surface; then what is before it.
 
-        `limits` are the values that the first and the last colour stand for.
+        `limits` are the values that the first and the last colour stand for, if they show `color`.
         """
         look, pen = self.look, self.easel.pen
         if look.names:
@@ -237,7 +247,8 @@ class Stage:
             write_title(pen, look.title)
         if look.colorbar:
             self.easel.load_palette()
-            draw_bar(pen, self.easel.palette, limits)
+            ruler = self.rulers[2] if isinstance(color, str) and color == "z" else EVEN
+            draw_bar(pen, self.easel.palette, limits, ruler)
 
 
 def _checked(transform: Doubles) -> Doubles:

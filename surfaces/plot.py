@@ -16,16 +16,16 @@ import numpy as np
 from surfaces import checks
 from surfaces.arrays import Box, Doubles
 from surfaces.formulas import formula
-from surfaces.look import BLANK, Look
+from surfaces.look import BLANK, Look, Stage
 from surfaces.modes import MODES, draw, draw_contours, draw_floor
 from surfaces.scene import Plot
 from surfaces.shape.fields import Color, fields
 from surfaces.shape.grid import Grid, in_order
+from surfaces.shape.rulers import Rulers, rulers
 from surfaces.shape.sampling import Axis, Function, Interval, Table, is_table, real
 from surfaces.space.mapping import Projection
 from surfaces.systems.colors import Ramp
 from surfaces.systems.pen import System
-from surfaces.ticks import ticks
 from surfaces.visible.pictures import HeightPicture
 
 Levels = int | Sequence[float]
@@ -47,6 +47,7 @@ def surface(
     theta: float = pi / 4,
     rho_z: float = 1.0,
     zfrac: float | None = 0.3,
+    log: str = "",
     z: Interval | None = None,
     color: Color = "z",
     ramp: str | Ramp = "rainbow",
@@ -74,7 +75,8 @@ def surface(
             "sin(x*y)/2". Or heights, a 2-D array of f[i, j] at x[i], y[j], NaN or masked where
             there is none. Or a list of functions, formulas or arrays over one domain.
         x: The domain, (a, b) with a < b; for a formula -3 to 3, if None. For heights also as many
-            numbers, even or uneven, or None to count from 0, or what `numpy.meshgrid` made.
+            numbers, even or uneven, or None to count from 0, or what `numpy.meshgrid` made. All may
+            be dates instead, numpy's or Python's.
         y: The same for y.
         n: Cells in each direction, or (nx, ny), of 16 million points at most.
         mode: "fill": coloured by height. "mesh": lines of the grid. "fill+mesh": both.
@@ -91,6 +93,7 @@ def surface(
         rho_z: By how much heights are compressed, above 0 and at most 1.
         zfrac: The part of the screen's height that z takes in a fitted picture, between 0 and 1.
             None: one scale on all axes.
+        log: The axes to be logarithmic, such as "x" or "xz". What is not above 0 is a hole there.
         z: (low, high): cut heights off there, infinities too; poles become holes.
         color: What the colours show: "z", "slope", "light", an array like f, a function of x and y.
         ramp: The colours of the upper side, a name of `RAMPS`.
@@ -121,6 +124,7 @@ def surface(
         theta=theta,
         rho_z=rho_z,
         zfrac=zfrac,
+        log=log,
         ramp=ramp,
         under=under,
         dither=dither,
@@ -133,29 +137,36 @@ def surface(
         on=on,
     )
     on_surface, on_floor = checks.levels("contours", contours), checks.levels("floor", floor)
-    grids = _grids(f, x, y, n, z)
+    laid_out = rulers(look.log, x, y)
+    grids = _grids(f, x, y, n, z, laid_out)
     color = _in_order(color, f, x, y)
     _check_seen(mode, grids)
-    stage = look.stage(mode, _around(grids), grids[0].z.shape, transform, mapping)
-    shown = fields(color, grids, stage.moved)
+    stage = look.stage(mode, _around(grids), grids[0].z.shape, transform, mapping, laid_out)
+    shown = fields(_in_places(color, laid_out), grids, stage.moved)
+    levels = _levels("contours", on_surface, stage), _levels("floor", on_floor, stage)
     picture = HeightPicture(
         stage.easel,
         tuple(grid.around(stage.origin) for grid in grids),
         tuple(one.around(stage.origin) for one in shown),
     )
-    with stage.surroundings(shown[0].limits):
-        draw_floor(picture, stage.above_origin(_levels(on_floor, stage.heights)), stage.floor)
+    with stage.surroundings(shown[0].limits, color):
+        draw_floor(picture, stage.above_origin(levels[1]), stage.floor)
         draw(picture, mode)
-        draw_contours(picture, stage.above_origin(_levels(on_surface, stage.heights)))
+        draw_contours(picture, stage.above_origin(levels[0]))
     return stage.plot(picture, shown[0].limits)
 
 
 def _grids(
-    f: Any, x: Axis | None, y: Axis | None, n: int | tuple[int, int], z: Interval | None
+    f: Any,
+    x: Axis | None,
+    y: Axis | None,
+    n: int | tuple[int, int],
+    z: Interval | None,
+    laid_out: Rulers,
 ) -> tuple[Grid, ...]:
-    """The surfaces to draw, over one domain."""
+    """The surfaces to draw, over one domain, in places of their rulers."""
     if isinstance(f, (list, tuple)) and f and all(map(_is_surface, f)):
-        grids = tuple(grid for one in f for grid in _grids(one, x, y, n, z))
+        grids = tuple(grid for one in f for grid in _grids(one, x, y, n, z, laid_out))
         same = all(
             np.array_equal(grid.x, grids[0].x) and np.array_equal(grid.y, grids[0].y)
             for grid in grids
@@ -164,11 +175,43 @@ def _grids(
             raise ValueError("several surfaces must have the same x and y")
         return grids
     if isinstance(f, Grid):
-        return (f,)
+        return (_placed(f, laid_out),)
+    along_x, along_y, up = laid_out
     if isinstance(f, str):
         x, y = (DOMAIN if axis is None else axis for axis in (x, y))
         f = formula(f)
-    return (Grid.sample(f, x, y, n, z) if callable(f) else Grid.of(f, x, y, z),)
+    if callable(f):
+        limits = None if z is None else up.ends(z, "z")
+        f = _heights(f, laid_out)
+        return (Grid.sample(f, along_x.ends(x, "x"), along_y.ends(y, "y"), n, limits),)
+    return (_placed(Grid.of(f, along_x.axis(x, "x"), along_y.axis(y, "y"), z), laid_out),)
+
+
+def _placed(grid: Grid, laid_out: Rulers) -> Grid:
+    """A grid of numbers in places of their rulers."""
+    along_x, along_y, up = laid_out
+    heights = up.place(grid.z, "f")
+    if np.isnan(heights).all():
+        raise ValueError("f must have a value above 0, where z is logarithmic")
+    return Grid(
+        along_x.along(grid.x, "x"),
+        along_y.along(grid.y, "y"),
+        heights,
+        None if grid.limits is None else up.ends(grid.limits, "z"),
+        None if grid.value is None else _heights(grid.value, laid_out),
+    )
+
+
+def _heights(f: Function, laid_out: Rulers) -> Function:
+    """A function of places, instead of numbers, with its values in places, too."""
+    f = _in_places(f, laid_out)
+    return lambda x, y: laid_out[2].place(f(x, y), "f")
+
+
+def _in_places(f: Any, laid_out: Rulers) -> Any:
+    """A function of places, instead of numbers; anything but a function stays what it is."""
+    along_x, along_y, _ = laid_out
+    return (lambda x, y: f(along_x.read(x), along_y.read(y))) if callable(f) else f
 
 
 def _is_surface(f: Any) -> bool:
@@ -200,10 +243,11 @@ def _around(grids: Sequence[Grid]) -> Box:
     return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
 
-def _levels(levels: int | list[float], heights: Interval) -> list[float]:
+def _levels(name: str, levels: int | list[float], stage: Stage) -> list[float]:
     """Heights for contours: about as many round ones as asked for, or those given."""
-    low, high = heights
+    (low, high), ruler = stage.heights, stage.rulers[2]
     if isinstance(levels, list):
-        return levels
-    found = ticks(low, high, levels, least=1) if levels else []
+        found: list[float] = ruler.every(levels, name).tolist()
+        return found
+    found = ruler.marks(low, high, levels, least=1).places if levels else []
     return [level for level in found if low < level < high]

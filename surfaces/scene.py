@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from surfaces import checks
 from surfaces.arrays import Box, Doubles, corners, middle
+from surfaces.shape.rulers import Calendar, Rulers
 from surfaces.shape.sampling import Function, Interval, Table
 from surfaces.shape.sheet import Sheet
 from surfaces.space.mapping import Projection
@@ -21,6 +22,9 @@ from surfaces.visible import marks, painter
 from surfaces.visible.painter import Picture
 from surfaces.visible.pictures import Scene, SheetPicture
 
+Reading = tuple[Any, Any, Any]
+"""A point of a surface in its own numbers, or dates."""
+
 
 @dataclass(frozen=True)
 class Plot:
@@ -29,7 +33,10 @@ class Plot:
     mapping: Projection
     """From space to the screen."""
     transform: Doubles
-    """4x4: from (x, y, z) of the surface to that space, fit and turn in one."""
+    """4x4: from (x, y, z) of the surface to that space, fit and turn in one.
+
+    Here, and in what follows, a logarithmic axis counts in powers of ten, and dates in seconds.
+    """
     scales: Point
     """Pixels for a unit of the surface's x, y and z, along the arrows of the mapping."""
     box: Box
@@ -38,6 +45,8 @@ class Plot:
     """The values that the first and the last colour stand for."""
     picture: Picture
     """What was drawn."""
+    rulers: Rulers
+    """How its x, y and z are laid out."""
 
     @property
     def view(self) -> View:
@@ -51,9 +60,17 @@ class Plot:
         """
         return apply(self._around(points), self.picture.view.screen)
 
-    def unproject(self, triples: ArrayLike) -> Doubles:
-        """The points (x, y, z) of triples (x', y', z), shape (..., 3)."""
-        return apply(triples, self.picture.view.back) + middle(self.box)
+    def unproject(self, triples: ArrayLike) -> NDArray[Any]:
+        """The points (x, y, z) of triples (x', y', z), shape (..., 3); objects, if with dates."""
+        places = apply(triples, self.picture.view.back) + middle(self.box)
+        parts = zip(self.rulers, np.moveaxis(places, -1, 0), strict=True)
+        read = [ruler.read(part) for ruler, part in parts]
+        if not self._has_dates:
+            return np.stack(read, axis=-1)
+        found = np.empty(places.shape, dtype=object)
+        for place in np.ndindex(places.shape):
+            found[place] = read[place[-1]][place[:-1]]
+        return found
 
     def depth(self, points: ArrayLike) -> Doubles:
         """How near points (..., 3) are: of two on one pixel, the greater number is the nearer."""
@@ -85,7 +102,7 @@ class Plot:
         Raises:
             ValueError: for arguments out of range; nothing is drawn then.
         """
-        return self._with(Sheet.sample(f, u, v, n), color)
+        return self._with(Sheet.sample(f, u, v, n, lambda x, y: self.rulers), color)
 
     def sheet(self, x: Table, y: Table, z: Table, color: str | Table = "z") -> Plot:
         """Add the surface through points in rows and columns, as `parametric` adds one.
@@ -102,7 +119,7 @@ class Plot:
         Raises:
             ValueError: for shapes that differ, or where there is no point; nothing is drawn then.
         """
-        return self._with(Sheet.of(x, y, z), color)
+        return self._with(Sheet.of(x, y, z, self.rulers), color)
 
     def _with(self, sheet: Sheet, color: str | Function | Table) -> Plot:
         shown, origin = sheet.field(color).scaled(self.limits), middle(self.box)
@@ -124,7 +141,7 @@ class Plot:
             size: How far each reaches from its middle, in pixels, 1 or more.
         """
         reach = checks.count("size", size)
-        marks.points(self.picture, self._listed(points), color, reach)
+        marks.points(self.picture, self._around(points).reshape(-1, 3), color, reach)
 
     def curve(self, points: ArrayLike, color: int | None = None) -> None:
         """Draw straight lines from point to point, (n, 3), where no surface hides them.
@@ -135,14 +152,7 @@ class Plot:
             points: The points in the surface's own x, y and z.
             color: The colour of the line. None: white.
         """
-        marks.curve(self.picture, self._listed(points), color)
-
-    def _listed(self, points: ArrayLike) -> Doubles:
-        """Points as the picture counts them, (n, 3); ValueError if they are no points."""
-        found = np.asarray(points, dtype=np.float64)
-        if not found.ndim or found.shape[-1] != 3:
-            raise ValueError(f"points must have the shape (..., 3), not {found.shape}")
-        return self._around(found.reshape(-1, 3))
+        marks.curve(self.picture, self._around(points).reshape(-1, 3), color)
 
     def _repr_png_(self) -> bytes | None:
         """The screen that it was drawn on as it is now, for notebooks."""
@@ -156,16 +166,26 @@ class Plot:
 
     def _around(self, points: ArrayLike) -> Doubles:
         """Points as the picture counts them, from the middle of the box."""
-        return np.asarray(points, dtype=np.float64) - middle(self.box)
+        found = np.asarray(points, dtype=object if self._has_dates else np.float64)
+        if not found.ndim or found.shape[-1] != 3:
+            raise ValueError(f"points must have the shape (..., 3), not {found.shape}")
+        parts = zip(self.rulers, np.moveaxis(found, -1, 0), "xyz", strict=True)
+        placed = [ruler.place(part, name) for ruler, part, name in parts]
+        return np.stack(placed, axis=-1) - middle(self.box)
 
-    def pick(self, px: float, py: float) -> Point | None:
+    @property
+    def _has_dates(self) -> bool:
+        return any(isinstance(ruler, Calendar) for ruler in self.rulers)
+
+    def pick(self, px: float, py: float) -> Reading | None:
         """The nearest point (x, y, z) of the surface seen at a pixel, or None beside it.
 
         It maps back to the pixel, to half a pixel at the surface's outline. None, too, for a
-        surface seen on its edge, narrower than two pixels.
+        surface seen on its edge, narrower than two pixels. Dates are numpy's.
         """
         point = self.picture.pick(px, py)
         if point is None:
             return None
-        x, y, z = (point + middle(self.box)).tolist()
+        parts = zip(self.rulers, (point + middle(self.box)).tolist(), strict=True)
+        x, y, z = (ruler.read(place) for ruler, place in parts)
         return x, y, z

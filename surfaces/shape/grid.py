@@ -91,7 +91,7 @@ class Grid:
             values[missing] = np.where(np.isnan(found), values[missing], found)
         values = cut(values, limits)
         if np.isnan(values).all():
-            raise ValueError(f"f has no finite value on x = {x!r}, y = {y!r}")
+            raise ValueError("f has no finite value there, or none above 0 where z is logarithmic")
         return cls(xs, ys, values, limits, lambda x, y: cut(evaluate(f, x, y), limits))
 
     @classmethod

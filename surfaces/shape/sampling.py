@@ -1,6 +1,7 @@
 """Functions of two numbers, evaluated at every node of a grid."""
 
 from collections.abc import Callable, Sequence
+from datetime import date
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,9 @@ from surfaces.checks import one_or_two
 Function = Callable[[Any, Any], Any]
 """A function of two numbers or, faster, of two arrays."""
 Interval = tuple[float, float]
-Axis = Interval | Sequence[float] | NDArray[Any]
+Dated = Sequence[date] | Sequence[np.datetime64]
+"""Dates, of which a datetime is one, too."""
+Axis = Interval | Sequence[float] | Dated | NDArray[Any]
 """Where the nodes are: from a to b in even steps, or at each of these numbers."""
 Table = Sequence[Any] | NDArray[Any]
 """Numbers in rows of one length: an array, or lists in a list."""

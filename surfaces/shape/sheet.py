@@ -3,7 +3,7 @@
 Points that are known lie in rows and columns: their numbers i and j are the two.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from surfaces.arrays import Box, Doubles
 from surfaces.shape.cells import quads
 from surfaces.shape.fields import Field, spread
+from surfaces.shape.rulers import PLAIN, Rulers
 from surfaces.shape.sampling import Function, Interval, Table, cut, evaluate, nodes, real
 
 
@@ -23,14 +24,22 @@ class Sheet:
     """(nu+1, nv+1, 3): points (x, y, z), NaN where there is a hole."""
     parameters: tuple[Doubles, Doubles] | None = None
     """(nu+1,) and (nv+1,): the u and the v of the points, if a function made them."""
+    rulers: Rulers = PLAIN
+    """Those that the points were laid out by."""
 
     @classmethod
     def sample(
-        cls, f: Callable[[Any, Any], Any], u: Interval, v: Interval, n: int | tuple[int, int]
+        cls,
+        f: Callable[[Any, Any], Any],
+        u: Interval,
+        v: Interval,
+        n: int | tuple[int, int],
+        choose: Callable[[Any, Any], Rulers] = lambda x, y: PLAIN,
     ) -> "Sheet":
         """Evaluate f(u, v) -> (x, y, z) on n by n cells, or nu by nv for n = (nu, nv).
 
-        f is called once, with two arrays of (nu+1, nv+1) numbers.
+        f is called once, with two arrays of (nu+1, nv+1) numbers. `choose` tells the rulers for the
+        x and the y that it gives.
 
         Raises:
             ValueError: unless u and v are (a, b) with a < b, n is 1 or more, f gives three
@@ -43,20 +52,23 @@ class Sheet:
         parts = list(place) if np.iterable(place) else [place]
         if len(parts) != 3:
             raise ValueError(f"f must return x, y and z, not {len(parts)} values")
-        points = _stacked([np.broadcast_to(real(part), across.shape) for part in parts])
+        laid_out = choose(*parts[:2])
+        points = _stacked(
+            [np.broadcast_to(part, across.shape) for part in _placed(parts, laid_out)]
+        )
         if np.isnan(points).all():
             raise ValueError(f"f has no finite point on u = {u!r}, v = {v!r}")
-        return cls(points, (us, vs))
+        return cls(points, (us, vs), laid_out)
 
     @classmethod
-    def of(cls, x: Table, y: Table, z: Table) -> "Sheet":
+    def of(cls, x: Table, y: Table, z: Table, laid_out: Rulers = PLAIN) -> "Sheet":
         """A sheet from points that are known: (x[i, j], y[i, j], z[i, j]).
 
         Raises:
             ValueError: unless the three are 2-D and of one shape, of 2 by 2 numbers or more, and a
                 point is finite.
         """
-        parts = [real(part, name) for name, part in (("x", x), ("y", y), ("z", z))]
+        parts = _placed((x, y, z), laid_out)
         shapes = [part.shape for part in parts]
         if len(set(shapes)) > 1:
             raise ValueError("x, y and z must have one shape, not {}, {} and {}".format(*shapes))
@@ -65,7 +77,7 @@ class Sheet:
         points = _stacked(parts)
         if np.isnan(points).all():
             raise ValueError("x, y and z have no finite point")
-        return cls(points)
+        return cls(points, rulers=laid_out)
 
     def around(self, origin: Doubles) -> "Sheet":
         """The same surface with its coordinates counted from a point, (3,)."""
@@ -102,6 +114,13 @@ class Sheet:
     def box(self) -> Box:
         """The box around it."""
         return np.nanmin(self.points, axis=(0, 1)), np.nanmax(self.points, axis=(0, 1))
+
+
+def _placed(parts: Sequence[Any], laid_out: Rulers) -> list[Doubles]:
+    """x, y and z where their rulers put them."""
+    return [
+        ruler.place(part, name) for ruler, part, name in zip(laid_out, parts, "xyz", strict=True)
+    ]
 
 
 def _stacked(parts: list[Doubles]) -> Doubles:

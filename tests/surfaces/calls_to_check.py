@@ -1,8 +1,21 @@
 """Calls for mypy to judge (test_typing.py): an error in each line marked wrong, and no other."""
 
+from datetime import date, datetime
+
 import numpy as np
 
-from surfaces import Grid, Plot, Svg, data, orthographic, parametric, rotation, sample, surface
+from surfaces import (
+    Grid,
+    Plot,
+    Svg,
+    data,
+    orthographic,
+    parametric,
+    rotation,
+    sample,
+    sheet,
+    surface,
+)
 
 
 def hill(x: float, y: float) -> float:
@@ -29,6 +42,10 @@ def looks() -> None:
     surface("x", axes=("time", "Hz", "dB"), contours=[0.5], floor=5, title="x", on=Svg())
     surface("x", color=hill, ramp="heat", projection=orthographic(0.7, 0.5))
     surface("x", transform=rotation("z", 1.0))
+    surface("x", (1, 10), log="xz")
+    surface("y", (date(2026, 1, 1), datetime(2026, 1, 2)))
+    surface([[1, 2], [3, 4]], np.arange("2026-01-01", "2026-01-03", dtype="datetime64[D]"))
+    surface("x", log=True)  # wrong
     surface("x", colour="z")  # wrong
     surface("x", color=7)  # wrong
     surface("x", ramp=3)  # wrong
@@ -44,5 +61,8 @@ def bodies() -> None:
     plot: Plot = parametric(lambda u, v: (u, v, u * v), (0, 1), (0, 1), title="saddle")
     parametric(lambda u, v: (u, v, u * v), (0, 1), (0, 1), contours=5)  # wrong
     parametric(lambda u, v: (u, v, u * v), (0, 1))  # wrong
+    sheet([[0, 1], [0, 1]], [[0, 0], [1, 1]], np.eye(2), color=np.eye(2), log="z")
+    sheet(np.eye(2), np.eye(2))  # wrong
+    sheet(np.eye(2), np.eye(2), 3)  # wrong
     point: tuple[float, float, float] = plot.pick(1, 2)  # wrong
     plot.project(point)

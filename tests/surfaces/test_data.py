@@ -218,13 +218,6 @@ def test_a_list_of_arrays_is_several_surfaces() -> None:
         surface([HEIGHTS, np.zeros((3, 3))], on=Canvas(60, 40))
 
 
-def test_dates_are_not_mistaken_for_numbers() -> None:
-    """They would have been days, seconds or nanoseconds, whatever numpy counts them in."""
-    days = np.arange("2024-03-01", "2024-03-07", dtype="datetime64[D]")
-    with pytest.raises(TypeError, match="x must be numbers, not dates: count them, as in"):
-        surface(HEIGHTS, days, Y, on=Canvas(60, 40))
-
-
 @pytest.mark.parametrize("mode", ["fill", "mesh", "fill+mesh", "waterfall", "wire", "facets"])
 def test_far_too_large_for_the_screen(mode: str) -> None:
     """What is off the screen costs nothing, also without lines and polygons."""

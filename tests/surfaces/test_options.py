@@ -103,6 +103,7 @@ WRONG: dict[str, list[Any]] = {
     "theta": ["a", None, 0, 2, float("nan"), [1], Stranger(), 1j],
     "rho_z": ["a", None, 0, 2, float("nan"), [1], Stranger()],
     "zfrac": ["a", 0, 1, float("nan"), [1], Stranger()],
+    "log": ["a", "xx", "x z", 3, None, True, ["x"], b"x", Stranger()],
     "z": [3, (1, 1), (2, 1), "ab", (0, float("nan")), Stranger()],
     "color": ["none", 3, None, [1, 2], [[1], [2, 3]], Stranger(), [["a"]], np.ones((2, 2))],
     "ramp": ["none", 3, None, ["heat"], Stranger()],
