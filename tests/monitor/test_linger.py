@@ -1,0 +1,91 @@
+"""A program that ends on its text screen: what stands there can still be read."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+
+from bgi.memory.card import Card
+from bgi.monitor import Headless, Window
+from bgi.monitor.plan import Plan
+from tests.processes import posix
+
+
+@pytest.fixture
+def card() -> Card:
+    card = Card()
+    card.set_text_mode(80, 25, 16)
+    return card
+
+
+def seconds_of_linger(window: Window) -> float:
+    began = time.monotonic()
+    window.linger()
+    return time.monotonic() - began
+
+
+def test_it_stays_until_a_key_is_pressed(card: Card) -> None:
+    window = Window(card)
+    card.page(0)[0] = 65
+    threading.Timer(0.3, window.keys.put, [b" "]).start()
+    assert seconds_of_linger(window) >= 0.3
+    window.close()
+
+
+def test_it_does_not_where_the_program_has_just_asked_for_a_key(card: Card) -> None:
+    window = Window(card)
+    card.page(0)[0] = 65
+    window.keys.put(b"a")
+    window.read_key()
+    window.linger()  # returns
+    card.page(0)[0] = 66
+    window.keys.put(b"b")
+    window.read_keystroke()
+    window.linger()
+    window.close()
+
+
+def test_it_does_not_where_nobody_is_there(card: Card) -> None:
+    window = Window(card, plan=Plan(after=60))
+    card.page(0)[0] = 65
+    window.linger()
+    window.close()
+    window.linger()  # nor where the window is gone
+    Headless(card=card).linger()
+
+
+PROGRAM = """
+from bgi.stdio import printf
+printf("Hello")
+print("written", flush=True)
+{then}
+"""
+
+
+def start(then: str) -> subprocess.Popen[str]:
+    environment = {**os.environ, "BGI_MONITOR": "window", "SDL_VIDEODRIVER": "dummy"}
+    return subprocess.Popen(
+        [sys.executable, "-c", PROGRAM.format(then=then)],
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+@posix
+@pytest.mark.parametrize("then", ["", "import time; time.sleep(60)"])
+def test_ctrl_c_ends_it_at_once(then: str) -> None:
+    """At the end of the program, and before it."""
+    program = start(then)
+    assert program.stdout is not None
+    assert program.stdout.readline() == "written\n"
+    time.sleep(0.5)
+    assert program.poll() is None
+    program.send_signal(signal.SIGINT)
+    _, errors = program.communicate(timeout=20)
+    assert ("KeyboardInterrupt" in errors) == bool(then)
