@@ -38,6 +38,8 @@ LAYERS = [
     "bgi.memory.operators",
     "bgi.memory.boxes",
     "bgi.memory.scrolling",
+    "bgi.memory.pixmap",
+    "bgi.memory.areas",
     "bgi.memory.page",
     "bgi.memory.packedpage",
     "bgi.memory.cells",
@@ -222,7 +224,8 @@ def test_raster_is_pure():
 
 def test_only_pages_set_pixels():
     """No other drawing module writes into pixel memory."""
-    pages = ("bgi.memory.page", "bgi.memory.packedpage", "bgi.memory.cells")
+    kinds = ("pixmap", "areas", "page", "packedpage", "cells")
+    pages = [f"bgi.memory.{kind}" for kind in kinds]
     for name, path in MODULES:
         if name.startswith("bgi.") and name not in pages:
             text = path.read_text("utf-8")

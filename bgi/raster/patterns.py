@@ -8,6 +8,7 @@ some modes begin in the middle of a byte: then the bits are rearranged before th
 """
 
 from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,8 +62,17 @@ def line_mask(pattern: int) -> NDArray[np.bool_]:
 SOLID_MASK = line_mask(SOLID_BITS)
 
 
-@lru_cache(maxsize=16)
-def screen_mask(rows: bytes, width: int, height: int) -> NDArray[np.bool_]:
-    """A whole screen of a fill pattern: True where a fill puts its colour, False for index 0."""
-    tile = np.unpackbits(np.frombuffer(rows, np.uint8).reshape(8, 1), axis=1).astype(bool)
-    return np.tile(tile, (-(-height // 8), -(-width // 8)))[:height, :width]
+class Ink(NamedTuple):
+    """A fill pattern in one colour, as wide as a page: what a fill copies."""
+
+    block: NDArray[Any]
+    """Its eight rows, twice: from each of them on eight follow one another."""
+    rows: list[memoryview]
+    """The eight rows, each in memory of its own."""
+
+
+def ink(pattern: bytes, color: int, width: int, pixel: np.dtype[Any]) -> Ink:
+    """A fill pattern in a colour, index 0 in its gaps."""
+    bits = np.unpackbits(np.frombuffer(pattern, np.uint8).reshape(8, 1), axis=1)
+    block = np.tile(bits, (2, -(-width // 8)))[:, :width].astype(pixel) * pixel.type(color)
+    return Ink(block, [row.data for row in block[:8]])
