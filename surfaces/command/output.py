@@ -4,7 +4,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from bgi import YELLOW, cleardevice, setcolor, writeimagefile
 from surfaces.animation import progress, save_gif
@@ -43,6 +42,8 @@ def _png(order: Order, file: Path) -> None:
 def _gif(order: Order, file: Path) -> None:
     """A full turn about z, in equal steps."""
     _hidden_screen(order)
+    from tempfile import TemporaryDirectory  # late, as most orders need it never
+
     with TemporaryDirectory() as folder:
         save_gif(file, _turn(order, Path(folder)), MILLISECONDS)
 

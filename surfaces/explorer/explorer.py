@@ -5,7 +5,6 @@ from copy import copy
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from bgi import LIGHTCYAN, LIGHTGREEN, LIGHTRED, YELLOW, kbhit, swapbuffers
 from surfaces.animation import save_gif
@@ -187,6 +186,8 @@ class Explorer:
         self.note = save(".gif", self._write_turn)
 
     def _write_turn(self, file: Path) -> None:
+        from tempfile import TemporaryDirectory  # late, as most users need it never
+
         with TemporaryDirectory() as folder:
             save_gif(file, self._pictures(Path(folder) / "picture.png"), MILLISECONDS)
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfaces import dates, decades, ticks
-from surfaces.arrays import Doubles
+from surfaces.arrays import Doubles, masks_exist
 from surfaces.shape.sampling import MOST_POINTS, Interval, interval, real
 from surfaces.ticks import Labels
 
@@ -179,7 +179,7 @@ def dates_of(given: Any, name: str) -> Dates | None:
     """
     if getattr(given, "size", 0) > MOST_POINTS:
         return None
-    if isinstance(given, np.ma.MaskedArray) and given.dtype.kind == "M":
+    if masks_exist() and isinstance(given, np.ma.MaskedArray) and given.dtype.kind == "M":
         given = given.filled(np.datetime64("NaT"))
     try:
         array = np.asarray(given)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from surfaces.arrays import Doubles
+from surfaces.arrays import Doubles, masks_exist
 from surfaces.checks import one_or_two
 
 Function = Callable[[Any, Any], Any]
@@ -94,7 +94,7 @@ def real(values: Any, name: str = "f") -> Doubles:
     """
     if getattr(values, "size", 0) > MOST_POINTS:
         raise ValueError(f"{name} must have at most {MOST_POINTS} numbers, not {values.size}")
-    may_be_masked = isinstance(values, (list, tuple, np.ma.MaskedArray))
+    may_be_masked = masks_exist() and isinstance(values, (list, tuple, np.ma.MaskedArray))
     try:
         table = np.ma.asarray(values) if may_be_masked else np.asarray(values)
     except ValueError:
