@@ -65,27 +65,19 @@ class Filling(Pen):
         fill: Numbers | None = None,
     ) -> None:
         """Fill boxes in the fill pattern; no outline."""
-        if (
-            type(left) is int
-            and type(top) is int
-            and type(right) is int
-            and type(bottom) is int
-            and fill is None
-        ):
-            self._bar(left, top, right, bottom, self._fill_ink)
+        if fill is None and type(left) is type(top) is type(right) is type(bottom) is int:
+            dx, dy = self._dx, self._dy
+            ink, rows = self._fill_ink, self._fill_rows
+            self.page.fill(left + dx, top + dy, right + dx, bottom + dy, ink, rows)
         else:
             shade = self.settings.fill.color if fill is None else fill
             call = self._bar_in_color
             self._each(call, left=left, top=top, right=right, bottom=bottom, fill=shade)
 
     def _bar_in_color(self, left: int, top: int, right: int, bottom: int, fill: int) -> None:
-        self._bar(left, top, right, bottom, self._fill_index(fill))
-
-    def _bar(self, left: int, top: int, right: int, bottom: int, ink: int) -> None:
-        x1, x2 = (left, right) if left <= right else (right, left)
-        y1, y2 = (top, bottom) if top <= bottom else (bottom, top)
-        box = (x1 + self._dx, y1 + self._dy, x2 + self._dx, y2 + self._dy)
-        self.page.fill(box, ink, self._fill_rows)
+        dx, dy = self._dx, self._dy
+        ink, rows = self._fill_index(fill), self._fill_rows
+        self.page.fill(left + dx, top + dy, right + dx, bottom + dy, ink, rows)
 
     def bar3d(
         self,
@@ -137,8 +129,8 @@ class Filling(Pen):
         x1, y1, x2, y2 = x1 + self._dx, y1 + self._dy, x2 + self._dx, y2 + self._dy
         box = self.page.box
         if min(x2, box[2]) - max(x1, box[0]) >= 2 and min(y2, box[3]) - max(y1, box[1]) >= 2:
-            inside = x1 + 1, y1 + 1, x2 - 1, y2 - 1
-            self.page.fill(inside, self._fill_ink, self._fill_rows)
+            ink, rows = self._fill_ink, self._fill_rows
+            self.page.fill(x1 + 1, y1 + 1, x2 - 1, y2 - 1, ink, rows)
 
     # Polygons
 

@@ -186,7 +186,7 @@ class State:
     def clearviewport(self) -> None:
         """Clear the viewport to index 0, whatever clip is; current position to 0, 0."""
         view = self.settings.view
-        self.page.fill((view.left, view.top, view.right, view.bottom), 0)
+        self.page.fill(view.left, view.top, view.right, view.bottom, 0)
         self.settings.x = self.settings.y = 0
 
     def moveto(self, x: Number, y: Number) -> None:

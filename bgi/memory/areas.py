@@ -8,7 +8,7 @@ import numpy as np
 from bgi.memory.pixmap import Pixels, Pixmap
 from bgi.raster.ellipses import Offset
 from bgi.raster.floodfill import flood
-from bgi.raster.lines import Box, Ints
+from bgi.raster.lines import Ints
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, Ink, ink
 from bgi.raster.polygons import Rows
 from bgi.raster.spans import Spans
@@ -17,6 +17,8 @@ Cuts = dict[int, memoryview]
 
 KEPT_INKS = 1 << 21
 """Bytes of patterns in colours that a page keeps."""
+_WIDE = 64
+"""From here on SDL writes rows past the processor's cache, which takes far longer than numpy."""
 
 
 class Areas(Pixmap):
@@ -30,28 +32,40 @@ class Areas(Pixmap):
 
     # Boxes
 
-    def fill(self, box: Box, color: int, rows: bytes = SOLID_ROWS) -> None:
-        """A box, both corners included, in a fill pattern of eight rows."""
-        left, top = max(box[0], self._left), max(box[1], self._top)
-        right, bottom = min(box[2], self._right), min(box[3], self._bottom)
-        if left > right or top > bottom:
+    def fill(
+        self, left: int, top: int, right: int, bottom: int, color: int, rows: bytes = SOLID_ROWS
+    ) -> None:
+        """A box in a fill pattern of eight rows; two opposite corners, both included."""
+        if left > right:
+            left, right = right, left
+        if top > bottom:
+            top, bottom = bottom, top
+        if left < self._left:
+            left = self._left
+        if top < self._top:
+            top = self._top
+        width = (right if right < self._right else self._right) - left + 1
+        height = (bottom if bottom < self._bottom else self._bottom) - top + 1
+        if width <= 0 or height <= 0:
             return
-        if rows in (SOLID_ROWS, EMPTY_ROWS):
-            shown = color if rows == SOLID_ROWS else 0
-            self._surface.fill(shown, (left, top, right - left + 1, bottom - top + 1))
+        if rows == EMPTY_ROWS:
+            color, rows = 0, SOLID_ROWS
+        if rows != SOLID_ROWS:
+            block = self._ink(color, rows).block
+            self._fill_pattern(left, top, left + width, top + height, block)
+        elif width < _WIDE:
+            self._surface.fill(color, (left, top, width, height))
         else:
-            self._fill_pattern(left, top, right + 1, bottom + 1, self._ink(color, rows).block)
+            self.array[top : top + height, left : left + width] = color
 
     def _fill_pattern(self, left: int, top: int, right: int, bottom: int, block: Pixels) -> None:
         """A box within the page, its right and bottom excluded: eight rows at a time, then less."""
-        start = top & 7
-        tile = block[start : start + 8, left:right]
-        rest = top + (bottom - top & ~7)
-        if top < rest:
+        start, rest = top & 7, top
+        if bottom - top > 8:
+            rest += bottom - top & ~7
             eights = self.array[top:rest].reshape(-1, 8, self.width)
-            eights[:, :, left:right] = tile
-        if rest < bottom:
-            self.array[rest:bottom, left:right] = tile[: bottom - rest]
+            eights[:, :, left:right] = block[start : start + 8, left:right]
+        self.array[rest:bottom, left:right] = block[start : start + bottom - rest, left:right]
 
     def _ink(self, color: int, pattern: bytes) -> Ink:
         """A fill pattern in a colour, made once."""

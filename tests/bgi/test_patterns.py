@@ -9,10 +9,10 @@ from bgi.memory.areas import KEPT_INKS
 from bgi.memory.page import Page
 from bgi.raster.spans import Spans
 
-WIDTH, HEIGHT = 45, 40
-LEFT, TOP, RIGHT, BOTTOM = 3, 2, 41, 36
+WIDTH, HEIGHT = 85, 40
+LEFT, TOP, RIGHT, BOTTOM = 3, 2, 81, 36
 BEFORE = 7
-places = st.tuples(*[st.integers(-9, 60)] * 4)
+places = st.tuples(*[st.integers(-9, 90)] * 4)
 patterns = st.binary(min_size=8, max_size=8)
 
 
@@ -39,18 +39,24 @@ def expected(box, pattern, color):
     ]
 
 
-def as_box(made, box, color, pattern):
-    made.fill(box, color, pattern)
+def ordered(corners):
+    """Left, top, right and bottom."""
+    x1, y1, x2, y2 = corners
+    return min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
 
 
-def as_rows(made, box, color, pattern):
-    left, top, right, bottom = box
+def as_box(made, corners, color, pattern):
+    made.fill(*corners, color, pattern)
+
+
+def as_rows(made, corners, color, pattern):
+    left, top, right, bottom = ordered(corners)
     rows = range(max(top, TOP), min(bottom, BOTTOM) + 1)
     made.fill_rows((rows, [right] * len(rows), [left] * len(rows)), color, pattern)
 
 
-def as_spans(made, box, color, pattern):
-    left, top, right, bottom = box
+def as_spans(made, corners, color, pattern):
+    left, top, right, bottom = ordered(corners)
     y = np.arange(max(top, TOP), min(bottom, BOTTOM) + 1)
     ends = np.full(len(y), left), np.full(len(y), right)
     made.fill_spans(Spans(y, *ends, np.zeros(len(y), int)), np.array([color]), pattern)
@@ -61,16 +67,14 @@ def as_spans(made, box, color, pattern):
 @settings(deadline=None, max_examples=40)
 @given(corners=places, pattern=st.one_of(patterns, st.sampled_from([b"\xff" * 8, bytes(8)])))
 def test_each_pixel_is_read_from_the_patterns_bits(fill, pixel_bytes, color, corners, pattern):
-    x1, y1, x2, y2 = corners
-    box = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
     made = page(pixel_bytes)
-    fill(made, box, color, pattern)
-    assert made.array.tolist() == expected(box, pattern, color)
+    fill(made, corners, color, pattern)
+    assert made.array.tolist() == expected(ordered(corners), pattern, color)
 
 
 def test_a_page_keeps_few_bytes_of_patterns():
     made = Page(memoryview(bytearray(4096 * 8 * 4)), 4096, 8, 4)
     for color in range(1, 50):
-        made.fill((0, 0, 9, 7), color, b"\xaa" * 8)
+        made.fill(0, 0, 9, 7, color, b"\xaa" * 8)
         assert made.array[0, :2].tolist() == [color, 0]
         assert sum(kept.block.nbytes for kept in made._inks.values()) <= KEPT_INKS
