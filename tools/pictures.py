@@ -13,7 +13,9 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import chdir
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -64,7 +66,8 @@ def blocks(page: Path) -> Iterator[tuple[str, str | None]]:
 def draw_page(page: Path, folder: Path) -> list[str]:
     """Run all code of a page and save the pictures it draws; returns their names.
 
-    Blocks begin anew with what the page says they follow, or go on from the block before.
+    Blocks begin anew with what the page says they follow, or go on from the block before. Files
+    that they write are left in a folder of their own, which goes.
     """
     text = page.read_text("utf-8")
     names: dict[str, Any] = {}
@@ -79,7 +82,8 @@ def draw_page(page: Path, folder: Path) -> list[str]:
         if ON_A_SCREEN in text:
             names = {name: getattr(bgi, name) for name in bgi.__all__}
             bgi.initgraph(bgi.VGA, bgi.VGAHI)
-        exec(compile(code, page, "exec"), names)
+        with TemporaryDirectory() as elsewhere, chdir(elsewhere):
+            exec(compile(code, page, "exec"), names)
         if picture is not None:
             _save(folder / picture, whole=IN_ORDER in text)
             drawn.append(picture)

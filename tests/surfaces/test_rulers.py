@@ -72,7 +72,8 @@ def test_the_same_for_functions_grids_sheets_and_bodies() -> None:
         return u, v, u * v
 
     of_body = pictured(parametric, body_of_logs, (0, 1), (0, 1), 20)
-    assert (pictured(parametric, body, (0, 1), (0, 1), 20, log="xz") != of_body).sum() < 5
+    got = pictured(parametric, body, (0, 1), (0, 1), 20, log="xz")
+    assert (got != of_body).mean() < 0.01  # where 10 to a power rounds otherwise
 
 
 @pytest.mark.parametrize("color", ["slope", "light", Z, lambda x, y: x * y])
