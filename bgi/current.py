@@ -301,6 +301,8 @@ def close_screen(which: int = ALL_WINDOWS) -> None:
         if gone is not None:
             gone.monitor.close()
             gone.card.close()
+    if not _open:
+        KERNEL.typed = ""
     if number not in _open:
         number = NO_CURRENT_WINDOW
         _aim()

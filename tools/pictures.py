@@ -30,7 +30,7 @@ ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PICTURES = DOCS / "pictures"
 KEYS = "a Left Up Space Wait1s +Esc"  # what is pressed for each block that asks for keys
-TYPED = "7 Space 4 Enter A d a Enter"  # the same where words are typed
+TYPED = "7 Space 6 Enter 3 Space 4 Enter"  # the same where words are typed
 LEAST_WIDTH, MARGIN = 400, 12
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
@@ -122,7 +122,7 @@ def _save(file: Path, whole: bool) -> None:
     if current.crt is not None and current.crt.is_text:
         frame = current.crt.card.frame()
         assert frame is not None
-        file.write_bytes(shot(frame, current.crt.card.palette))
+        file.write_bytes(shot(frame, current.crt.card.palette.tobytes()))
         return
     bgi.setactivepage(bgi.getvisualpage())
     if whole:

@@ -105,12 +105,12 @@ def delline() -> None:
     (current.crt or current.console()).shift_lines(1, directvideo)
 
 
-def putch(c: Number) -> int:
+def putch(c: Number | str) -> int:
     """Write one character at the cursor, in the attribute of now, and return its code.
 
     Args:
-        c: its code, 0..255; the low byte counts. 10 goes down only, 13 to the left edge, 8 one to
-            the left, 7 is silent.
+        c: the character, or its code, of which the low byte counts. 10 goes down only, 13 to the
+            left edge, 8 one to the left, 7 is silent.
 
     Wraps at the window's edge and scrolls at its end. Source: conio.h.
     """

@@ -204,7 +204,9 @@ def gettext(left: Number, top: Number, right: Number, bottom: Number) -> bytes:
     return cells.copy(box) if box is not None and isinstance(cells, CellPage) else b""
 
 
-def puttext(left: Number, top: Number, right: Number, bottom: Number, source: bytes) -> int:
+def puttext(
+    left: Number, top: Number, right: Number, bottom: Number, source: bytes | bytearray
+) -> int:
     """Put back into a box what gettext() returned.
 
     Args:
@@ -215,7 +217,7 @@ def puttext(left: Number, top: Number, right: Number, bottom: Number, source: by
     ValueError if `source` is too short.
     """
     cells = (current.crt or current.console()).cells
-    if not isinstance(source, (bytes, bytearray, memoryview)):
+    if not isinstance(source, (bytes, bytearray)):
         raise TypeError(f"source must be bytes, not {type(source).__name__}: {brief(source)}")
     box = _box(left, top, right, bottom)
     if box is None or not isinstance(cells, CellPage):

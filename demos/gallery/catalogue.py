@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from types import ModuleType
 
 from bgi import VGA, VGAHI, readimagefile
+from bgi.memory import imagefile
 
 FOLDER = Path(__file__).parents[1]
 MOMENT = "0.6s"
@@ -73,7 +74,8 @@ class Demo:
             plan = {"BGI_MONITOR": "none", "BGI_AFTER": MOMENT, "BGI_SHOT": str(picture)}
             command = [sys.executable, "-m", "bgi", str(self.file)]
             subprocess.run(command, env=own | plan, check=True)
-            readimagefile(picture)
+            height, width = imagefile.load(picture).pixels.shape[:2]
+            readimagefile(picture, 0, 0, width - 1, height - 1)
 
     def _paragraph(self, number: int) -> str:
         docstring = ast.get_docstring(ast.parse(self._text)) or ""

@@ -111,6 +111,13 @@ def test_the_rest_of_a_line_waits_until_it_is_flushed(typed):
     assert stdio.fflush(stdio.stdout) == 0
 
 
+def test_the_rest_of_a_line_goes_with_the_screen(typed):
+    typed("1 2\n")
+    assert scanf("%d") == 1
+    current.close_screen()
+    assert scanf("%d") == 1
+
+
 def test_getchar_waits_for_enter(typed):
     typed("ab\n")
     assert [stdio.getchar() for _ in range(3)] == [ord("a"), ord("b"), 10]
