@@ -24,7 +24,7 @@ from bgi.kernel.modes import GraphicsMode
 from bgi.kernel.state import KERNEL
 from bgi.kernel.textmodes import TEXT_MODES, TextMode
 from bgi.memory.card import CAPACITY, Card
-from bgi.monitor import Monitor, choose
+from bgi.monitor import Monitor, choose, moment
 from bgi.monitor.ending import at_a_prompt, follow_program, interrupt
 from bgi.monitor.protocol import TITLE
 
@@ -153,6 +153,11 @@ if hasattr(os, "register_at_fork"):
 def is_open() -> bool:
     """Whether there is a current screen, if only of text, or one whose window is gone."""
     return number in _open
+
+
+def now() -> float:
+    """Seconds since 1970, by the monitor's clock where there is one: without a window it counts."""
+    return screen.monitor.time() if is_open() else moment.now()
 
 
 def loaded() -> Graphics | None:

@@ -1,9 +1,9 @@
-"""Time, sound, chance and the BIOS keyboard: dos.h, and parts of time.h, stdlib.h and bios.h.
+"""Time, sound and the PC's interrupts: dos.h, and clock() of time.h.
 
-`from bgi import *` does not bring these names, since Python has a `random` and a `time` of its own:
-write `from bgi import dos`, and `dos.random(6)`. `from bgi.dos import *` brings what dos.h has, but
-for its structure `time`: a program's own `time` and `random` stay what they are. What another
-header has is imported by name, as in `from bgi.dos import random, randomize`.
+`from bgi import *` does not bring these names, since Python has a `time` of its own: write `from
+bgi import dos`, and `dos.gettime()`. `from bgi.dos import *` brings what dos.h has, but for its
+structure `time`. Programs may also find here by name what belongs to other headers, as in `from
+bgi.dos import random, bioskey`: see `bgi.stdlib` and `bgi.bios`.
 """
 
 from __future__ import annotations
@@ -12,20 +12,32 @@ import time as _time
 from dataclasses import dataclass
 
 from bgi import current
-from bgi.errors import brief
+from bgi.bios import bioskey as bioskey
+from bgi.bios import biostime as biostime
+from bgi.errors import BGIError
 from bgi.kernel.arguments import Number, real, whole
-from bgi.kernel.state import KERNEL
 from bgi.monitor import moment
-from bgi.monitor.keycodes import bios_code
 from bgi.monitor.script import LONGEST
+from bgi.stdlib import RAND_MAX as RAND_MAX
+from bgi.stdlib import rand as rand
+from bgi.stdlib import random as random
+from bgi.stdlib import randomize as randomize
+from bgi.stdlib import srand as srand
 
-__all__ = ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
+__all__ = [
+    "date",
+    "delay",
+    "getdate",
+    "gettime",
+    "nosound",
+    "setdate",
+    "settime",
+    "sleep",
+    "sound",
+]
 
-CLK_TCK = CLOCKS_PER_SEC = 18.2
+CLK_TCK = CLOCKS_PER_SEC = moment.TICKS
 """What clock() counts in a second: the PC's timer ticks."""
-
-RAND_MAX = 32767
-"""The largest number that rand() returns."""
 
 
 @dataclass
@@ -86,49 +98,30 @@ def _wait(name: str, time: Number, unit: int) -> None:
 
 def gettime() -> time:
     """Return the time of day. Source: dos.h."""
-    now = _now()
-    clock = _local(now)
+    now = current.now()
+    clock = moment.local(now)
     return time(clock.tm_min, clock.tm_hour, int(now % 1 * 100), clock.tm_sec)
 
 
 def getdate() -> date:
     """Return today's date. Source: dos.h."""
-    day = _local(_now())
+    day = moment.local(current.now())
     return date(day.tm_year, day.tm_mday, day.tm_mon)
+
+
+def settime(timep: time) -> None:
+    """Refuse to set the clock: raises BGIError, for it is the whole computer's. Source: dos.h."""
+    raise BGIError("settime(): the clock can be read, not set: it is the whole computer's")
+
+
+def setdate(datep: date) -> None:
+    """Refuse to set the date: raises BGIError, for it is the whole computer's. Source: dos.h."""
+    raise BGIError("setdate(): the date can be read, not set: it is the whole computer's")
 
 
 def clock() -> int:
     """Return the timer's ticks, 18.2 a second, since the program began. Source: time.h."""
-    return int((_now() - moment.began()) * CLK_TCK)
-
-
-def biostime(cmd: Number, newtime: Number = 0) -> int:
-    """Return the timer's ticks since midnight.
-
-    Args:
-        cmd: 0, which reads the clock; nothing else is allowed.
-        newtime: what C's function would set the clock to; any number will do.
-
-    ValueError for another command. Source: bios.h.
-    """
-    if whole("cmd", cmd) != 0:
-        raise ValueError(f"cmd must be 0: the clock can be read, not set; got {brief(cmd)}")
-    now = _now()
-    day = _local(now)
-    return int(((day.tm_hour * 60 + day.tm_min) * 60 + day.tm_sec + now % 1) * CLK_TCK)
-
-
-def _now() -> float:
-    """Seconds since 1970, by the monitor's clock where there is one: without a window it counts."""
-    return current.screen.monitor.time() if current.is_open() else moment.now()
-
-
-def _local(now: float) -> _time.struct_time:
-    """A moment as the clock on the wall shows it."""
-    try:
-        return _time.localtime(now)
-    except (OSError, OverflowError, ValueError):
-        raise ValueError("the clock does not go so far: the program has waited too long") from None
+    return int((current.now() - moment.began()) * CLK_TCK)
 
 
 # Sound
@@ -148,73 +141,3 @@ def nosound() -> None:
     """Turn the speaker off. Source: dos.h."""
     if current.is_open():
         current.screen.monitor.sound(0)
-
-
-# Chance: Borland's linear congruential generator, which multiplies and adds; its upper bits count
-
-_MULTIPLIER = 0x015A4E35
-
-
-def srand(seed: Number) -> None:
-    """Make rand() begin anew; the same seed (0 to 65535) always gives the same numbers.
-
-    Source: stdlib.h.
-    """
-    KERNEL.seed = whole("seed", seed) & 0xFFFF
-
-
-def rand() -> int:
-    """Return a random whole number from 0 to RAND_MAX (32767): 346, 130, 10982, ...
-
-    Without srand() or randomize() always the same, number for number Borland's. Source: stdlib.h.
-    """
-    KERNEL.seed = (KERNEL.seed * _MULTIPLIER + 1) & 0xFFFFFFFF
-    return KERNEL.seed >> 16 & RAND_MAX
-
-
-def random(num: Number) -> int:
-    """Return a random whole number from 0 to num - 1, as Turbo C++ 3 computed it.
-
-    Args:
-        num: how many numbers there are to choose from, 1 to 32767; of none, 0, comes a 0.
-
-    ValueError for a number below 0. Source: stdlib.h.
-    """
-    count = whole("num", num)
-    if count < 0:
-        raise ValueError(f"num must be 0 or more, not {brief(count)}")
-    return rand() * count >> 15
-
-
-def randomize() -> None:
-    """Make rand() and random() different in every run, by the clock. Source: stdlib.h."""
-    from calendar import timegm  # late, as most programs need it never
-
-    srand(timegm(_local(_now())))
-
-
-# The keyboard by the BIOS
-
-
-def bioskey(cmd: Number) -> int:
-    """Ask the BIOS for a key, or for the state of the Shift keys.
-
-    Args:
-        cmd: 0 waits for a key and takes it; 1 looks for one, which stays; 2 asks for the state.
-
-    For a key the answer is its scan code times 256 plus its character (0 for an arrow and its
-    like): 0x4800 Up, 0x5000 Down, 0x4B00 Left, 0x4D00 Right, 0x011B Esc; 0 if there is none to look
-    at. For the state it is a sum of 1 right Shift, 2 left Shift, 4 Ctrl, 8 Alt, 0x20 NumLock and
-    0x40 CapsLock. ValueError for another command; otherwise raises what getch() does. Source:
-    bios.h.
-    """
-    command = whole("cmd", cmd)
-    monitor = current.screen.monitor
-    if command == 0:
-        return bios_code(monitor.read_keystroke())
-    if command == 1:
-        keystroke = monitor.keys.peek() if monitor.key_waiting() else None
-        return bios_code(keystroke) if keystroke else 0
-    if command == 2:
-        return monitor.keys.shifts
-    raise ValueError(f"cmd must be 0, 1 or 2, not {brief(command)}")

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 import bgi
 import surfaces
-from bgi import conio, dos, keyboard, mouse, stdio
+from bgi import bios, conio, dos, keyboard, mouse, stdio, stdlib
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -30,11 +30,13 @@ BACK = f"[All pages](README.md) · [A–Z]({FILE.name})"
 
 MODULES = {
     "": bgi,
+    "bios.": bios,
     "conio.": conio,
     "dos.": dos,
     "keyboard.": keyboard,
     "mouse.": mouse,
     "stdio.": stdio,
+    "stdlib.": stdlib,
     "surfaces.": surfaces,
 }
 """The modules whose names are listed, by what a program writes before a name."""
@@ -66,31 +68,31 @@ GROUPS = {
 
 SOURCES = {
     "": ["bgi/constants.py"],
+    "bios.": [],
     "conio.": ["bgi/constants.py", "bgi/conio/__init__.py", "bgi/conio/keys.py"],
     "dos.": ["bgi/dos.py"],
     "keyboard.": [],
     "mouse.": ["bgi/monitor/pointer.py"],
     "stdio.": ["bgi/clib/scanf.py"],
+    "stdlib.": ["bgi/stdlib.py"],
     "surfaces.": [],
 }
 """The files that define the constants of each module."""
 
 STAR_LACKS = {
-    "dos.": [
-        *("CLK_TCK", "CLOCKS_PER_SEC", "RAND_MAX", "Sleep", "bioskey", "biostime", "clock"),
-        *("rand", "random", "randomize", "srand", "time"),
-    ]
+    "dos.": ["CLK_TCK", "CLOCKS_PER_SEC", "Sleep", "clock", "time"],
+    "stdlib.": ["random"],
 }
-"""Public names that `from bgi.dos import *` does not bring."""
+"""Public names that `from bgi.dos import *` and its like do not bring."""
 
 STARS = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
 
 HEAD = """# A–Z
 
 Every public name: functions, structures, constants, and the options of `surface()`; with the page
-that shows it. Names without a dot come with `from bgi import *`; `conio`, `dos`, `keyboard`,
-`mouse` and `stdio` are modules of it: `from bgi import dos`. `surfaces` is a package of its own.
-`help(circle)` says more.
+that shows it. Names without a dot come with `from bgi import *`; `bios`, `conio`, `dos`,
+`keyboard`, `mouse`, `stdio` and `stdlib` are modules of it: `from bgi import dos`. `surfaces` is a
+package of its own. `help(circle)` says more.
 """
 
 

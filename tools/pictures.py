@@ -37,7 +37,7 @@ SECONDS = "2.4s"  # as much as fits into half a megabyte
 
 # What a page says of its code, and so how its blocks are run.
 ON_A_SCREEN = "follows `from bgi import *` and `initgraph(VGA, VGAHI)`"
-ON_TEXT = re.compile(r"follows\s+`from bgi\.(conio|stdio) import \*`")
+ON_TEXT = re.compile(r"follows\s+`from bgi\.(conio|stdio|stdlib) import \*`")
 IN_ORDER = "type them one after the other"
 
 _BLOCK = re.compile(

@@ -6,7 +6,7 @@ Source: conio.h.
 from __future__ import annotations
 
 from bgi import current
-from bgi.console.bios import NORMAL_ATTRIBUTE
+from bgi.console.teletype import NORMAL_ATTRIBUTE
 from bgi.constants import LASTMODE
 from bgi.errors import brief
 from bgi.kernel.arguments import Number, whole

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bgi.console.bios import (
+from bgi.console.teletype import (
     BACKSPACE,
     CONTROLS,
     CURSORS,

@@ -101,7 +101,7 @@ class Kernel:
         self.typed = ""
         """What has been typed for scanf() and its like, and not been read yet."""
         self.seed = 1
-        """The state of Borland's random numbers: see `bgi.dos.rand`."""
+        """The state of Borland's random numbers: see `bgi.stdlib.rand`."""
 
 
 KERNEL = Kernel()

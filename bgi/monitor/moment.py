@@ -10,6 +10,9 @@ import time
 
 QUESTION = 0.1  # milliseconds that it takes to ask what time it is, where time is counted
 
+TICKS = 18.2
+"""What the PC's timer counts in a second."""
+
 _SCRIPTED = 1992, 1, 1, 12, 0, 0, 0, 0, -1  # noon, where the program is: chosen
 
 _began = time.time()
@@ -24,6 +27,14 @@ def began() -> float:
 def now() -> float:
     """The time, in seconds since 1970; with a script every question takes a moment."""
     return began() + next(_questions) * QUESTION / 1000 if _has_script() else time.time()
+
+
+def local(now: float) -> time.struct_time:
+    """A moment as the clock on the wall shows it; ValueError for one that is too far away."""
+    try:
+        return time.localtime(now)
+    except (OSError, OverflowError, ValueError):
+        raise ValueError("the clock does not go so far: the program has waited too long") from None
 
 
 def _has_script() -> bool:

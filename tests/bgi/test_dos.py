@@ -12,7 +12,7 @@ from calendar import timegm
 import pytest
 
 import bgi
-from bgi import conio, current, dos
+from bgi import bios, conio, current, dos, stdlib
 from bgi.monitor.headless import Headless
 from bgi.monitor.speaker import CLOCK_HERTZ, LOUDNESS, RATE, Speaker
 
@@ -210,7 +210,8 @@ def test_a_star_leaves_the_programs_time_and_random_alone() -> None:
     brought.pop("__builtins__")
     assert brought.pop("time") is time
     assert brought.pop("random") is random
-    assert sorted(brought) == ["date", "delay", "getdate", "gettime", "nosound", "sleep", "sound"]
+    assert sorted(brought) == sorted(dos.__all__)
+    assert not {"time", "random", "clock"} & set(brought)
 
 
 def test_randomize_is_by_the_clock() -> None:
@@ -277,3 +278,14 @@ def test_a_change_of_pitch_leaves_no_gap(speaker: Speaker) -> None:
 def test_what_nobody_hears(speaker: Speaker, hertz: int) -> None:
     speaker.sound(hertz)
     assert samples(speaker, 3) == [0, 0, 0]
+
+
+def test_the_clock_cannot_be_set() -> None:
+    with pytest.raises(bgi.BGIError, match="the clock can be read, not set"):
+        dos.settime(dos.gettime())
+    with pytest.raises(bgi.BGIError, match="the date can be read, not set"):
+        dos.setdate(dos.getdate())
+
+
+def test_what_belongs_to_other_headers_is_found_there_too() -> None:
+    assert dos.bioskey is bios.bioskey and dos.random is stdlib.random
