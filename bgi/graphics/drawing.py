@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from bgi.constants import SOLID_LINE, THICK_WIDTH, USERBIT_LINE, grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import (
+    NOT_SO_SIMPLE,
+    TO_INT,
     Number,
     Numbers,
     broadcast,
@@ -57,7 +59,15 @@ class Drawing(Pen):
         """Set pixels."""
         if type(x) is int and type(y) is int and type(color) is int:
             self.page.put(x + self._dx, y + self._dy, color & self._mask)
-        elif is_array(x) or is_array(y) or is_array(color):
+            return
+        try:
+            x, y, color = TO_INT[type(x)](x), TO_INT[type(y)](y), TO_INT[type(color)](color)
+        except NOT_SO_SIMPLE:
+            pass  # what follows is not in here, so that its errors tell of nothing else
+        else:
+            self.page.put(x + self._dx, y + self._dy, color & self._mask)
+            return
+        if is_array(x) or is_array(y) or is_array(color):
             for xs, ys, colors in in_chunks(x=x, y=y, color=color):
                 self.page.put_many(xs + self._dx, ys + self._dy, colors & self._mask)
         else:

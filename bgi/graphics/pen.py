@@ -6,7 +6,7 @@ filled in the pattern that is set. All points here are absolute: the viewport's 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from itertools import chain
 from typing import Any
 
@@ -37,22 +37,17 @@ class Pen(State):
 
         A `color` becomes the drawing colour of its call only.
         """
-        if color is not None:
-            arguments["color"] = color
-        if not any(is_array(value) for value in arguments.values()):
-            calls = iter([[whole(name, value) for name, value in arguments.items()]])
-        else:
-            parts = in_chunks(**arguments)
-            calls = chain.from_iterable(np.stack(part, axis=-1).tolist() for part in parts)
+        if color is None:
+            for numbers in _calls(arguments):
+                call(*numbers)
+            return
         before = self.settings.color
         try:
-            for numbers in calls:
-                if color is not None:
-                    self._use_color(numbers.pop() & self._given_mask)
+            for *numbers, shade in _calls({**arguments, "color": color}):
+                self._use_color(shade & self._given_mask)
                 call(*numbers)
         finally:
-            if color is not None:
-                self._use_color(before)
+            self._use_color(before)
 
     # Lines
 
@@ -138,3 +133,11 @@ class Pen(State):
         if array.ndim == 0 or array.shape == (count,):
             return np.broadcast_to(array, count)
         raise ValueError(f"{name} must be a number or {count} numbers, not of shape {array.shape}")
+
+
+def _calls(arguments: dict[str, Numbers]) -> Iterable[list[int]]:
+    """The whole numbers of every call that arguments ask for: of one, or one for each element."""
+    if any(map(is_array, arguments.values())):
+        parts = in_chunks(**arguments)
+        return chain.from_iterable(np.stack(part, axis=-1).tolist() for part in parts)
+    return ([whole(name, value) for name, value in arguments.items()],)

@@ -7,9 +7,9 @@ in order.
 """
 
 import operator
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from math import isfinite
+from math import trunc
 from typing import Any
 
 import numpy as np
@@ -44,12 +44,26 @@ MAX_DIMENSIONS = 32
 """Of an array: the least that a numpy of ours can take."""
 
 
+TO_INT: dict[type, Callable[[Any], int]] = {
+    **dict.fromkeys((int, np.int32, np.int64), operator.index),
+    **dict.fromkeys((float, np.float64), trunc),
+}
+"""How numbers of the commonest types become ints: `TO_INT[type(value)](value)`.
+
+Where that is one of `NOT_SO_SIMPLE`, it is another type, an array or no finite number: `whole`
+knows.
+"""
+NOT_SO_SIMPLE = KeyError, ValueError, OverflowError
+
+
 def whole(name: str, value: object) -> int:
     """One number as an int; TypeError or ValueError names the argument."""
     if type(value) is int:
         return value
-    if type(value) is float and isfinite(value):  # the commonest after ints
-        return int(value)
+    try:
+        return TO_INT[type(value)](value)
+    except NOT_SO_SIMPLE:
+        pass
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     try:
@@ -103,13 +117,9 @@ def real(name: str, value: object) -> int | float:
     return whole(name, value)
 
 
-_ONE_NUMBER = frozenset((int, float, np.int64, np.float64, type(None)))
-"""The commonest types that are no arrays: known at one look, without a chain of isinstance()."""
-
-
 def is_array(value: object) -> bool:
     """Whether an argument asks for the array form of a call."""
-    if type(value) in _ONE_NUMBER:
+    if type(value) in TO_INT or value is None:
         return False
     return isinstance(value, (list, tuple, range)) or (
         isinstance(value, np.ndarray) and value.ndim > 0

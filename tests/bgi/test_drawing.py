@@ -8,6 +8,10 @@ from bgi.settings import linesettingstype
 from tests.pictures import picture, points
 
 
+class Whole(int):
+    """An int of a type of its own, as an IntEnum's members are."""
+
+
 def top_left(screen, width, height):
     """The upper left corner of the active page."""
     return screen.page.array[:height, :width].tolist()
@@ -141,20 +145,25 @@ def test_getlinesettings(vga, given, kept):
     assert vga.getlinesettings() == linesettingstype(*kept)
 
 
-@pytest.mark.parametrize("number", [float, np.float32, np.float64, np.int64, np.int16])
-def test_every_type_of_number_draws_as_the_int_does(vga, number):
-    vga.line(-2, 3, 90, 40)
-    vga.putpixel(5, 7, 3)
-    expected = vga.page.array.copy()
-    vga.cleardevice()
-    vga.line(number(-2), number(3), number(90), number(40))
-    vga.putpixel(number(5), number(7), number(3))
-    np.testing.assert_array_equal(vga.page.array, expected)
+@pytest.mark.parametrize(
+    "number", [float, np.float32, np.float64, np.int64, np.int32, np.int16, Whole]
+)
+def test_every_type_of_number_draws_as_the_int_does(new_screen, number):
+    one, other = new_screen(), new_screen()
+    for screen, kind in ((one, int), (other, number)):
+        screen.line(kind(-2), kind(3), kind(90), kind(40))
+        screen.rectangle(kind(5), kind(60), kind(40), kind(90))
+        screen.circle(kind(60), kind(60), kind(12), kind(4))
+        screen.moveto(kind(7), kind(8))
+        screen.lineto(kind(50), kind(9))
+        screen.putpixel(kind(5), kind(7), kind(3))
+    np.testing.assert_array_equal(one.page.array, other.page.array)
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), np.float64("-inf")])
 def test_a_number_that_is_not_finite_is_refused_by_its_name(vga, bad):
     with pytest.raises(ValueError, match="y1 must be a finite number"):
         vga.line(1, bad, 3, 4)
-    with pytest.raises(ValueError, match="color must be a finite number"):
+    with pytest.raises(ValueError, match="color must be a finite number") as caught:
         vga.putpixel(1, 2, bad)
+    assert caught.value.__context__ is None  # no second traceback of how it was found
