@@ -155,6 +155,12 @@ def is_open() -> bool:
     return number in _open
 
 
+def shown() -> GraphicsMode | TextMode:
+    """The mode on show; the first use opens a text screen where there is no window yet."""
+    text = console() if screen is _NOT_LOADED else crt
+    return text.mode if text is not None and text.is_text else screen.mode
+
+
 def now() -> float:
     """Seconds since 1970, by the monitor's clock where there is one: without a window it counts."""
     return screen.monitor.time() if is_open() else moment.now()

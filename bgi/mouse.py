@@ -1,8 +1,10 @@
 """The mouse driver of DOS, interrupt 33h, as plain functions: `from bgi import mouse`.
 
-Coordinates are pixels of the screen in every mode (DOS counted by two in modes 320 wide). The
-pointer is drawn by the monitor, over the picture and not into it: there is no need to hide it
-while drawing. Buttons are 0 left, 1 right, 2 middle; sets of buttons are sums of 1, 2 and 4.
+Coordinates are pixels of the screen in every mode, those of text too, where a character is 8 wide
+and mostly 16 high (DOS counted by two in modes 320 wide, and a character as 8 by 8). The pointer is
+drawn by the monitor, over the picture and not into it: there is no need to hide it while drawing.
+Before initgraph() the first call opens a text screen. Buttons are 0 left, 1 right, 2 middle; sets
+of buttons are sums of 1, 2 and 4.
 """
 
 from __future__ import annotations
@@ -39,7 +41,7 @@ def reset() -> int:
 
     Returns the number of buttons, 3.
     """
-    mode = current.screen.mode
+    mode = current.shown()
     current.screen.monitor.mouse.reset(mode.width // 2, mode.height // 2)
     return 3
 
@@ -70,7 +72,7 @@ def buttons() -> int:
 
 def set_position(x: Number, y: Number) -> None:
     """Move the pointer to x, y, or as near as the ranges allow (AX = 4)."""
-    mode, mouse = current.screen.mode, current.screen.monitor.mouse
+    mode, mouse = current.shown(), current.screen.monitor.mouse
     place = whole("x", x), whole("y", y)
     mouse.move(min(max(place[0], 0), mode.width - 1), min(max(place[1], 0), mode.height - 1))
 
@@ -95,7 +97,7 @@ def set_horizontal_range(low: Number, high: Number) -> None:
     """Keep the pointer's x from low to high, in either order; moves it there at once (AX = 7)."""
     left, right = sorted((whole("low", low), whole("high", high)))
     _, top, _, bottom = _limits()
-    width = current.screen.mode.width
+    width = current.shown().width
     current.screen.monitor.mouse.limit(max(left, 0), top, min(right, width - 1), bottom)
 
 
@@ -103,7 +105,7 @@ def set_vertical_range(low: Number, high: Number) -> None:
     """Keep the pointer's y from low to high, in either order; moves it there at once (AX = 8)."""
     top, bottom = sorted((whole("low", low), whole("high", high)))
     left, _, right, _ = _limits()
-    height = current.screen.mode.height
+    height = current.shown().height
     current.screen.monitor.mouse.limit(left, max(top, 0), right, min(bottom, height - 1))
 
 
@@ -146,7 +148,7 @@ def on_event(mask: Number, handler: Callable[[int, int, int, int], object] | Non
 
 
 def _limits() -> tuple[int, int, int, int]:
-    mode = current.screen.mode
+    mode = current.shown()
     limits = current.screen.monitor.mouse.limits
     return limits or (0, 0, mode.width - 1, mode.height - 1)
 

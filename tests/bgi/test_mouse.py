@@ -5,7 +5,7 @@ import threading
 import pytest
 
 import bgi
-from bgi import current, mouse
+from bgi import conio, current, mouse
 from bgi.api import clicks
 from bgi.constants import (
     NO_CLICK,
@@ -246,7 +246,35 @@ def test_waiting_clicks_are_bounded() -> None:
     assert clicks.getmouseclick(WM_RBUTTONUP) == (10, 0)
 
 
-def test_before_initgraph() -> None:
+def test_before_initgraph_there_is_a_text_screen() -> None:
     bgi.closegraph()
-    with pytest.raises(bgi.BGIError, match="not initialized"):
-        mouse.reset()
+    assert mouse.reset() == 3
+    assert mouse.position() == (320, 200)
+    assert current.console().is_text
+
+
+@pytest.mark.parametrize(
+    ("number", "width", "height"),
+    [(conio.C80, 640, 400), (conio.C40, 320, 400), (conio.C4350, 640, 400), (conio.MONO, 640, 400)],
+)
+def test_in_a_text_mode_places_are_pixels_of_its_picture(
+    number: int, width: int, height: int
+) -> None:
+    conio.textmode(number)
+    mouse.reset()
+    assert mouse.position() == (width // 2, height // 2)
+    mouse.set_position(9999, 9999)
+    assert mouse.position() == (width - 1, height - 1)
+    mouse.set_horizontal_range(-5, 100)
+    mouse.set_vertical_range(20, 9999)
+    mouse.set_position(9999, 0)
+    assert mouse.position() == (100, 20)
+    hear(LEFT_DOWN, 10, 20, 1)
+    assert (mouse.position(), mouse.buttons(), mouse.presses(0)) == ((10, 20), 1, (1, 10, 20))
+
+
+def test_over_a_picture_again_they_are_its_own() -> None:
+    conio.textmode(conio.C80)
+    bgi.initgraph(bgi.VGA, bgi.VGAHI)
+    mouse.reset()
+    assert mouse.position() == (320, 240)
