@@ -10,6 +10,7 @@ from typing import NamedTuple
 from bench import monitor, readme, report
 from bench.groups import (
     arrays,
+    console,
     curves,
     fills,
     images,
@@ -40,6 +41,7 @@ GROUPS = {
     "curves": Group(curves.rows),
     "fills": Group(fills.rows),
     "text": Group(text.rows),
+    "console": Group(console.rows),
     "images": Group(images.rows),
     "settings": Group(settings.rows),
     "arrays": Group(arrays.rows),

@@ -29,7 +29,8 @@ from gallery.catalogue import NAMES, load
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PICTURES = DOCS / "pictures"
-KEYS = "a Left Up Space Wait1s +Esc"  # what is pressed for each block that asks for keys
+# What is pressed for each block that asks for keys, and a number for one that scans.
+KEYS = "a Left Up Space Wait1s +Esc Wait9s -Esc 7 Enter"
 TYPED = "7 Space 6 Enter 3 Space 4 Enter"  # the same where words are typed
 LEAST_WIDTH, MARGIN = 400, 12
 MOVING = "bounce"
