@@ -8,6 +8,7 @@ from pathlib import Path
 from textwrap import fill
 from typing import Any
 
+from surfaces import checks
 from surfaces.explorer import EXAMPLES, Options
 from surfaces.explorer.screen import Size
 from surfaces.formulas import FUNCTIONS, NAMES, OPERATORS, FormulaError, formula
@@ -135,6 +136,7 @@ def _add_surface(parser: argparse.ArgumentParser) -> None:
     add("--x", **pair, metavar=("A", "B"), help="x from A to B (-3 to 3)")
     add("--y", **pair, metavar=("C", "D"), help="y from C to D (-3 to 3)")
     add("--z", **pair, metavar=("LOW", "HIGH"), help="cut heights off there: for poles")
+    add("--log", type=_axes, metavar="AXES", help="logarithmic axes, such as x or xz")
     add("-n", "--n", type=_whole(1, 1000), help="cells in each direction (200; SVG 60)")
 
 
@@ -220,6 +222,13 @@ def _whole(low: int, high: int) -> Callable[[str], int]:
         return int(text)
 
     return read
+
+
+def _axes(letters: str) -> str:
+    try:
+        return checks.log("--log", letters.strip())
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _file(name: str) -> Path:

@@ -2,12 +2,15 @@
 
 from typing import Any
 
+import numpy as np
+
 from bgi import delay, kbhit, setactivepage, swapbuffers
 from surfaces.explorer.dials import TURN
 from surfaces.explorer.explorer import EXAMPLES, Explorer
 from surfaces.explorer.keys import read_key
 from surfaces.explorer.options import Options
 from surfaces.explorer.screen import USUAL, Size, attended, open_window
+from surfaces.systems.characters import Text
 
 SMALLEST: Size = (480, 240)
 """What the lines below the picture need."""
@@ -29,7 +32,8 @@ def explore(formula: str = EXAMPLES[0], size: Size = USUAL, **options: Any) -> N
     surface to see, BGIError if there is no display; WindowClosed when the user closes it.
     """
     beginning = Options(**options)
-    beginning.sample(formula)
+    with np.errstate(all="ignore"):
+        beginning.draw(formula, on=Text())
     if any(given < least for given, least in zip(size, SMALLEST, strict=True)):
         raise ValueError("a window to explore in must be at least {} x {} pixels".format(*SMALLEST))
     open_window(size, beginning.dither)

@@ -1,13 +1,12 @@
 """How a surface is to be looked at: what the options of the command say and the keys change."""
 
 from dataclasses import dataclass, replace
-from math import radians
+from math import log10, radians
 
 from surfaces.arrays import Doubles
 from surfaces.formulas import formula
 from surfaces.plot import surface
 from surfaces.scene import Plot
-from surfaces.shape.grid import Grid, sample
 from surfaces.shape.sampling import Interval
 from surfaces.space.mapping import Mapping, Projection
 from surfaces.space.perspective import Perspective
@@ -33,6 +32,8 @@ class Options:
     """Whether it does; true to begin with, where z is given."""
     wider: float = 0
     """Steps by which the domain is wider than x and y say."""
+    log: str = ""
+    """The axes that are logarithmic, such as "xz"."""
     n: int = 200
     turn: float = 0.0
     """Degrees about z..."""
@@ -64,11 +65,15 @@ class Options:
     @property
     def domain(self) -> tuple[Interval, Interval]:
         """From where to where x and y run, `wider` reckoned in."""
-        return self._widened(self.x), self._widened(self.y)
+        return self._widened("x", self.x), self._widened("y", self.y)
 
-    def _widened(self, interval: Interval) -> Interval:
+    def _widened(self, name: str, interval: Interval) -> Interval:
         if not self.wider:
             return interval
+        if name in self.log:
+            low, high = map(log10, interval)
+            more = (high - low) / 2 * (2 ** (self.wider / DOUBLED) - 1)
+            return float(f"{10 ** (low - more):.2g}"), float(f"{10 ** (high + more):.2g}")
         middle, half = sum(interval) / 2, (interval[1] - interval[0]) / 2
         half = float(f"{half * 2 ** (self.wider / DOUBLED):.2g}")  # a round number is read easily
         return middle - half, middle + half
@@ -76,7 +81,7 @@ class Options:
     @property
     def heights(self) -> Interval | None:
         """From where to where z runs; None: as far as it likes."""
-        if not self.cut:
+        if not self.cut or ("z" in self.log and not self.z):
             return None
         return self.z or self.domain[0]
 
@@ -106,15 +111,16 @@ class Options:
             scaling(self.size, self.size, self.size),
         )
 
-    def sample(self, text: str) -> Grid:
-        """The surface of a formula; ValueError if it is none, or has no values there."""
-        x, y = self.domain
-        return sample(formula(text), x, y, self.n, self.heights)
-
     def draw(self, text: str, on: System | None = None) -> Plot:
-        """Draw the surface of a formula; ValueError as for `sample`."""
+        """Draw the surface of a formula; ValueError if it is none, or has no values there."""
+        x, y = self.domain
         return surface(
-            self.sample(text),
+            formula(text),
+            x,
+            y,
+            self.n,
+            z=self.heights,
+            log=self.log,
             mode=self.mode,
             transform=self.transform,
             projection=self.projection,

@@ -9,7 +9,12 @@ def read_out(point: Point | None) -> str:
     """The point under the cross-hair."""
     if point is None:
         return "beside the surface"
-    return "x {:9.4f}   y {:9.4f}   z {:9.4f}".format(*point)
+    return "   ".join(f"{name} {_number(at)}" for name, at in zip("xyz", point, strict=True))
+
+
+def _number(value: float) -> str:
+    """In nine characters; by a power of ten, where no decimals would tell it."""
+    return f"{value:9.4f}" if 0.001 <= abs(value) < 10000 or not value else f"{value:9.2e}"
 
 
 def status(options: Options) -> tuple[str, str]:

@@ -479,3 +479,10 @@ class TestOptions:
         )
         assert read_out(None) == "beside the surface"
         assert read_out((1, -2, 0.5)) == "x    1.0000   y   -2.0000   z    0.5000"
+        assert read_out((1e5, -2e-5, 0)) == "x  1.00e+05   y -2.00e-05   z    0.0000"
+
+    def test_a_logarithmic_axis_grows_by_factors(self) -> None:
+        options = Options(x=(1, 100), y=(-1, 1), log="xz", wider=3, cut=True)
+        assert options.domain == ((0.1, 1000), (-2, 2))
+        assert options.heights is None  # where x ends need not be above 0
+        assert replace(options, z=(1, 2)).heights == (1, 2)
