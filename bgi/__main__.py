@@ -237,8 +237,8 @@ def _sound() -> str:
 
 def _fonts() -> str:
     """The stroked fonts that come with the package."""
-    found = sorted(DATA.glob("*.CHR"))
-    return ", ".join(file.stem for file in found)
+    names = (os.path.splitext(file) for file in sorted(os.listdir(DATA)))
+    return ", ".join(name for name, kind in names if kind == ".CHR")
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ from __future__ import annotations
 from typing import Any
 
 from bgi import current
-from bgi.clib import printf, scanf
 from bgi.conio.keys import EOF, getch, kbhit, ungetch
 from bgi.conio.textscreen import (
     _setcursortype,
@@ -151,6 +150,8 @@ def cprintf(format: str | bytes, *args: Any) -> int:
     TypeError for an argument that is missing or of the wrong kind, ValueError for one out of range:
     nothing is written then. Source: conio.h.
     """
+    from bgi.clib import printf  # late, as most programs write by Python's own words
+
     codes = encode(printf.format(format, *args))
     (current.crt or current.console()).write(codes, _wscroll, directvideo)
     return len(codes)
@@ -192,6 +193,8 @@ def cscanf(format: str | bytes) -> Any:
     Returns what `bgi.stdio.scanf` returns: the value where the format has one conversion, otherwise
     a tuple; None for what was not typed. Raises what getch() does. Source: conio.h.
     """
+    from bgi.clib import scanf
+
     return scanf.sscanf(_line(LONGEST), format)
 
 

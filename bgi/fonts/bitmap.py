@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.fonts import DATA
+from bgi.fonts import read
 
 CELL = 8
 """Width and height of a glyph at size 1, in pixels."""
@@ -17,7 +17,7 @@ CELL = 8
 @lru_cache(maxsize=2)
 def _rows(turned: bool) -> NDArray[np.uint64]:
     """All glyphs, shape (CELL, 256): eight pixels, a byte each, are one number."""
-    data = (DATA / "font8x8.bin").read_bytes()
+    data = read("font8x8.bin")
     glyphs = np.unpackbits(np.frombuffer(data, np.uint8).reshape(256, CELL, 1), axis=2)
     if turned:
         glyphs = np.rot90(glyphs, axes=(1, 2))

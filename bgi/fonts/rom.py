@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from bgi.fonts import DATA
+from bgi.fonts import read
 
 _FILES = {8: "font8x8.bin", 14: "rom8x14.bin", 16: "rom8x16.bin"}
 
@@ -20,5 +20,5 @@ HEIGHTS = tuple(_FILES)
 @cache
 def glyphs(height: int) -> NDArray[np.bool_]:
     """The pixels of all glyphs, shape (256, height, 8)."""
-    rows = np.frombuffer((DATA / _FILES[height]).read_bytes(), np.uint8)
+    rows = np.frombuffer(read(_FILES[height]), np.uint8)
     return np.unpackbits(rows.reshape(256, height, 1), axis=2).astype(bool)

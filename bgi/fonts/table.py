@@ -11,7 +11,7 @@ import time
 from functools import lru_cache
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
-from bgi.fonts import DATA
+from bgi.fonts import read
 from bgi.fonts.chr import MAX_BYTES, FontError, StrokedFont, parse
 
 STANDARD = ("TRIP", "LITT", "SANS", "GOTH", "SCRI", "SIMP", "TSCR", "LCOM", "EURO", "BOLD")
@@ -140,4 +140,4 @@ def _parsed(path: str, changed: int, size: int) -> StrokedFont:
 @lru_cache(maxsize=len(STANDARD))
 def _shipped(name: str) -> StrokedFont:
     """One of the ten fonts of this package."""
-    return parse((DATA / (name + _EXTENSION)).read_bytes())
+    return parse(read(name + _EXTENSION))

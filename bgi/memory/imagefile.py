@@ -12,8 +12,7 @@ import os
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +21,9 @@ from bgi.errors import brief
 from bgi.memory import gif, jpeg
 from bgi.memory.matching import shown
 from bgi.memory.sdl import pygame, quietly
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 Filename = str | os.PathLike[str]
 Indices = NDArray[np.uint8]
@@ -93,6 +95,8 @@ def save(filename: Filename, pixels: NDArray[Any], palette: Colors) -> None:
 
 def path_of(filename: Filename) -> Path:
     """A file's name as a path; TypeError for what is none, such as an int: C's descriptors."""
+    from pathlib import Path  # late, as it takes a while
+
     try:
         return Path(os.fsdecode(os.fspath(filename)))
     except TypeError:

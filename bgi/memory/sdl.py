@@ -4,12 +4,17 @@ pygame and pygame-ce are twins that install the same folder `pygame`. Together t
 and uninstalling either breaks the other.
 """
 
+from __future__ import annotations
+
 import contextlib
 import os
 import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
-from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
@@ -61,11 +66,14 @@ def quietly() -> Iterator[None]:
         os.close(nothing)
 
 
-def twins(folder: Path = Path(pygame.__file__).parents[1]) -> str:
-    """What is wrong, and what to type, if both pygames have been installed into `folder`; or "".
+def twins(folder: Path | None = None) -> str:
+    """What is wrong, and what to type, if both pygames have been installed into one folder; or "".
 
     Asked for when something has gone wrong: it looks through the folder of all packages.
     """
+    from pathlib import Path  # late, as it takes a while
+
+    folder = folder or Path(pygame.__file__).parents[1]
     # importlib.metadata could tell too, but it imports random and half the standard library, and
     # many a program has a random.py of its own beside it.
     if all(any(folder.glob(f"{name}-*-info")) for name in ("pygame", "pygame_ce")):

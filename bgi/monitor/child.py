@@ -14,7 +14,6 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
@@ -41,7 +40,7 @@ Inbox = queue.SimpleQueue[tuple[str, str]]
 class Child:
     """The main loop: what the user does goes to the program, pictures to the screen."""
 
-    def __init__(self, card: Card, folder: Path, inbox: Inbox, output: int) -> None:
+    def __init__(self, card: Card, folder: str, inbox: Inbox, output: int) -> None:
         self._card = card
         self._folder = folder
         self._inbox = inbox
@@ -150,7 +149,7 @@ class Child:
     def _record(self, file: str) -> None:
         """Begin to record, into the next free file beside the program if it has no name."""
         try:
-            self._recorder = Recorder(file or str(free_name(self._folder, "gif")))
+            self._recorder = Recorder(file or free_name(self._folder, "gif"))
         except (BGIError, OSError) as error:
             print(f"bgi: {error}", file=sys.stderr, flush=True)
             self._display.notice(str(error))
@@ -178,7 +177,7 @@ class Child:
             recorder.save(now)
         except OSError as error:
             failure = error.strerror or str(error)
-        name = Path(recorder.file).name
+        name = os.path.basename(recorder.file)
         self._inbox.put(("notice", f"not saved: {failure}" if failure else f"saved {name}"))
         if recorder.file == self._planned:
             self._send("recorded", failure)
@@ -231,7 +230,7 @@ def main() -> None:
     handle, folder = sys.argv[1:]
     inbox: Inbox = queue.SimpleQueue()
     try:
-        child = Child(Card.attach(handle), Path(folder), inbox, output)
+        child = Child(Card.attach(handle), folder, inbox, output)
     except (pygame.error, ValueError) as error:
         os.write(output, encode("failed", "; ".join(filter(None, (str(error), twins())))))
         return

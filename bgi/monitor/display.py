@@ -4,7 +4,6 @@ import itertools
 import os
 import sys
 import time
-from pathlib import Path
 
 from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame, quietly
@@ -22,7 +21,7 @@ class Display:
     `folder` is where pictures are saved.
     """
 
-    def __init__(self, card: Card, folder: Path) -> None:
+    def __init__(self, card: Card, folder: str) -> None:
         self.presents = 0
         self._card = card
         self._folder = folder
@@ -188,19 +187,20 @@ class Display:
             return
         try:
             file = free_name(self._folder, "png")
-            file.write_bytes(shot(frame, self._card.colors()))
+            with open(file, "wb") as opened:
+                opened.write(shot(frame, self._card.colors()))
         except OSError as error:
             self.notice(f"not saved: {error.strerror}")
         else:
-            self.notice(f"saved {file.name}")
+            self.notice(f"saved {os.path.basename(file)}")
 
 
-def free_name(folder: Path, suffix: str) -> Path:
+def free_name(folder: str, suffix: str) -> str:
     """The first of bgi-001, bgi-002, ... that is not taken: an empty file now."""
     for number in itertools.count(1):
-        file = folder / f"bgi-{number:03}.{suffix}"
+        file = os.path.join(folder, f"bgi-{number:03}.{suffix}")
         try:
-            file.touch(exist_ok=False)
+            open(file, "xb").close()
         except FileExistsError:
             continue
         return file

@@ -17,7 +17,6 @@ import os
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
@@ -73,7 +72,8 @@ class Plan:
             blank = frame.text is not None and not frame.pixels[::2].strip(b"\0 ")
             with saving(file):
                 picture = self.kept if blank and self.kept else shot(frame, card.colors())
-                Path(file).write_bytes(picture)
+                with open(file, "wb") as opened:
+                    opened.write(picture)
 
 
 @contextlib.contextmanager

@@ -8,13 +8,12 @@ program's search path without that folder, and the package is loaded from where 
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
 from bgi.memory.sdl import pygame
 
-PACKAGE = Path(__file__).resolve().parents[1]
+PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 # What the process runs first: its search path is the program's before anything is imported. Of the
 # package it takes the files that the window needs, not all that a program does; and pygame, which
@@ -51,7 +50,7 @@ def start(card: Card) -> subprocess.Popen[bytes]:
         *(flag for name, flag in _FLAGS.items() if getattr(sys.flags, name)),
         "-P",  # nothing of the current folder
         *("-W", "ignore"),  # the program has shown the warnings already
-        *("-c", _BOOT, str(PACKAGE), "\n".join(search_path()), card.handle, _folder()),
+        *("-c", _BOOT, PACKAGE, "\n".join(search_path()), card.handle, _folder()),
     ]
     try:
         return subprocess.Popen(

@@ -3,7 +3,7 @@
 import pytest
 
 import bgi
-from bgi.fonts import DATA
+from bgi.fonts import read
 from tests.pictures import points
 
 
@@ -109,7 +109,7 @@ def test_a_font_in_use_is_not_looked_for_again(tmp_path):
     bgi.initgraph(bgi.VGA, bgi.VGAHI, str(tmp_path))
     bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
     width = bgi.textwidth("Wide")
-    small = (DATA / "LITT.CHR").read_bytes()
+    small = read("LITT.CHR")
     (tmp_path / "TRIP.CHR").write_bytes(small)
     bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
     assert bgi.textwidth("Wide") == width
@@ -122,7 +122,7 @@ def test_a_font_that_is_registered_takes_the_place_of_the_one_in_use():
     bgi.initgraph(bgi.VGA, bgi.VGAHI)
     bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
     width = bgi.textwidth("Wide")
-    small = (DATA / "LITT.CHR").read_bytes()
+    small = read("LITT.CHR")
     assert bgi.registerbgifont(small.replace(b"LITT", b"TRIP", 1)) == bgi.TRIPLEX_FONT
     bgi.settextstyle(bgi.TRIPLEX_FONT, bgi.HORIZ_DIR, 4)
     assert bgi.textwidth("Wide") < width
