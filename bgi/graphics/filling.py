@@ -201,7 +201,7 @@ class Filling(Pen):
     def _overflows(self, x: int, y: int, border: int) -> bool:
         """Whether a flood from there would reach all four sides of the viewport."""
         rows, starts, ends = self._area(x, y, border)
-        return bool(rows) and (min(starts), rows[0], max(ends), rows[-1]) == self.page.box
+        return bool(rows) and (min(starts), min(rows), max(ends), max(rows)) == self.page.box
 
 
 def _eight_rows(pattern: bytes | Sequence[Number]) -> bytes:

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from bgi.memory.pixmap import Pixels, Pixmap
+from bgi.memory.pixmap import Mask, Pixels, Pixmap
 from bgi.raster.ellipses import Offset
 from bgi.raster.floodfill import flood
-from bgi.raster.lines import Ints
+from bgi.raster.lines import Box, Ints
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, Ink, ink
 from bgi.raster.polygons import Rows
 from bgi.raster.spans import Spans
@@ -17,6 +17,8 @@ Cuts = dict[int, memoryview]
 
 KEPT_INKS = 1 << 21
 """Bytes of patterns in colours that a page keeps."""
+_NEAR = 32
+"""Pixels around a flood's seed: most floods stay within."""
 _WIDE = 64
 """From here on SDL writes rows past the processor's cache, which takes far longer than numpy."""
 
@@ -27,7 +29,6 @@ class Areas(Pixmap):
     def __init__(self, memory: memoryview, width: int, height: int, pixel_bytes: int = 1) -> None:
         """Lay it over `memory`, as a `Pixmap`."""
         super().__init__(memory, width, height, pixel_bytes)
-        self._marks = bytearray(width * height), bytearray(width * height)
         self._inks: dict[tuple[bytes, int], Ink] = {}
 
     # Boxes
@@ -140,36 +141,85 @@ class Areas(Pixmap):
 
     # Floods
 
-    def mark_unfilled(self, color: int, rows: bytes, area: bytearray) -> None:
-        """Mark in `area`, a byte a pixel, the pixels of the clipping box that a fill would change.
+    def area(self, x: int, y: int, border: int, color: int, rows: bytes) -> Rows:
+        """The area around x, y up to a border colour, as a fill with that colour would find it."""
+        left, top, right, bottom = view = self.box
+        if not (left <= x <= right and top <= y <= bottom):
+            return [], [], []
+        near = (
+            max(x - _NEAR, left),
+            max(y - _NEAR, top),
+            min(x + _NEAR, right),
+            min(y + _NEAR, bottom),
+        )
+        found = self._area_within(near, x, y, border, color, rows)
+        if near != view and _leaves(found, near, view):
+            found = self._area_within(view, x, y, border, color, rows)
+        return found
+
+    def _area_within(self, box: Box, x: int, y: int, border: int, color: int, rows: bytes) -> Rows:
+        """What of an area a flood finds that stays within a box."""
+        left, top, right, _ = box
+        width = right - left + 2
+        place = (y - top + 1) * width + x - left
+        inside, marks = _marks(box)
+        np.not_equal(self._part(box), self.flat.dtype.type(border), out=marks)
+        if not inside[place]:
+            return [], [], []
+        ways, unfilled = _marks(box)
+        self._mark_unfilled(box, color, rows, unfilled)
+        unfilled &= marks
+        # The driver looks for a pixel to go on from between the outer columns only.
+        if left == self._left:
+            unfilled[:, 0] = False
+        if right == self._right:
+            unfilled[:, -1] = False
+        starts, ends = flood(inside, ways, width, place)
+        first = top - 1
+        return (
+            [start // width + first for start in starts],
+            [start % width + left for start in starts],
+            [(end - 1) % width + left for end in ends],
+        )
+
+    def _part(self, box: Box) -> Pixels:
+        """The pixels of a box."""
+        left, top, right, bottom = box
+        part: Pixels = self.array[top : bottom + 1, left : right + 1]
+        return part
+
+    def _mark_unfilled(self, box: Box, color: int, rows: bytes, marks: Mask) -> None:
+        """Mark the pixels of a box that a fill would change.
 
         Rows that the pattern leaves empty are marked whole, so that the flood crosses them.
         """
-        part = slice(self._top, self._bottom + 1), slice(self._left, self._right + 1)
-        marks = np.frombuffer(area, np.bool_).reshape(self.height, self.width)
-        marks.fill(False)
         if rows == SOLID_ROWS:
-            np.not_equal(self.array[part], self.flat.dtype.type(color), out=marks[part])
-        else:
-            row = np.arange(self._top, self._bottom + 1) & 7
-            inked = self._ink(color, rows).block[row, self._left : self._right + 1]
-            np.not_equal(self.array[part], inked, out=marks[part])
-            empty = np.frombuffer(rows, np.uint8)[row] == 0
-            marks[part] |= empty[:, np.newaxis]
+            np.not_equal(self._part(box), self.flat.dtype.type(color), out=marks)
+            return
+        left, top, right, bottom = box
+        row = np.arange(top, bottom + 1) & 7
+        inked = self._ink(color, rows).block[row, left : right + 1]
+        np.not_equal(self._part(box), inked, out=marks)
+        empty = np.frombuffer(rows, np.uint8)[row] == 0
+        marks |= empty[:, np.newaxis]
 
-    def area(self, x: int, y: int, border: int, color: int, rows: bytes) -> Rows:
-        """The area around x, y up to a border colour, as a fill with that colour would find it."""
-        inside, unfilled = self._marks
-        if self._left <= x <= self._right and self._top <= y <= self._bottom:
-            self.mark_unfilled(border, SOLID_ROWS, inside)
-            if inside[y * self.width + x]:
-                self.mark_unfilled(color, rows, unfilled)
-                # The driver looks for a pixel to go on from between the outer columns only.
-                shape = self.height, self.width
-                seen = np.frombuffer(unfilled, np.bool_).reshape(shape)
-                seen[:, [self._left, self._right]] = False
-                return flood(inside, unfilled, self.width, x, y)
-        return [], [], []
+
+def _marks(box: Box) -> tuple[bytearray, Mask]:
+    """A byte for each pixel of a box, as `floodfill` takes them: all, and those of the box."""
+    left, top, right, bottom = box
+    shape = bottom - top + 3, right - left + 2
+    marks = bytearray(shape[0] * shape[1])
+    return marks, np.frombuffer(marks, np.bool_).reshape(shape)[1:-1, :-1]
+
+
+def _leaves(area: Rows, box: Box, view: Box) -> bool:
+    """Whether an area comes to a side of a box that is none of the viewport's."""
+    y, first, last = area
+    if not y:
+        return False
+    reached = min(first), min(y), max(last), max(y)
+    sides = zip(reached, box, view, strict=True)
+    return any(there == side != end for there, side, end in sides)
 
 
 @lru_cache(maxsize=64)

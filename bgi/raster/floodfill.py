@@ -1,52 +1,100 @@
-"""Flood filling: the 4-connected area around a point, as rows.
+"""Flood filling: the 4-connected area around a point, as runs of pixels.
 
 This is span filling (A. R. Smith, "Tint Fill", SIGGRAPH 1979): whole runs of a row are filled, and
 from each of them the rows above and below are searched. The driver goes on wherever it sees a pixel
 that is not border and does not look filled already: what looks filled stops it. (It does not look
-at the first and the last column of the viewport: `Page.flood` sees to that.) The original keeps its
-seeds on a short stack and loses what does not fit; here nothing is lost, whatever the shape, and
-every run is visited once.
+at the first and the last column of the viewport: `Areas.area` sees to that.) The original keeps its
+seeds on a short stack and loses what does not fit; here nothing is lost, whatever the shape.
+
+A few runs are searched one after another. Many, those of a maze, are all found at once, and joined
+by arrays: each run that touches another takes the smaller of their labels, until none changes
+(Y. Shiloach and U. Vishkin, "An O(log n) parallel connectivity algorithm", Journal of Algorithms 3,
+1982).
+
+Both ways take the pixels as `inside`, which may be filled, and `ways`, through which a run may be
+entered: a byte for each pixel, 1 for yes and 0 for no. The last column of their rows, the first row
+and the last one are 0, so that no run goes from one row into the next.
 """
 
-from bgi.raster.polygons import Rows
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bgi.raster.lines import Ints
+
+Runs = tuple[list[int], list[int]]
+"""Where each of them starts, and where it ends (excluded)."""
+
+_YES = b"\1"
+FEW = 1500
+"""Runs: more of them are found sooner by arrays."""
 
 
-def flood(inside: bytearray, unfilled: bytearray, width: int, x: int, y: int) -> Rows:
-    """The rows to fill from x, y: runs of `inside`, entered through pixels `unfilled` as well.
-
-    Both hold a byte for each pixel of an area of that width, 1 for yes and 0 for no.
-    """
-    waiting = [_run(inside, width, y * width + x)]
-    found = set(waiting)
-    while waiting:
-        start, end = waiting.pop()
+def flood(inside: bytearray, ways: bytearray, width: int, place: int) -> Runs:
+    """The runs to fill from a place. The ways are used up."""
+    first, last = inside.rfind(0, 0, place) + 1, inside.find(0, place)
+    starts, ends = [first], [last]
+    used, nothing = memoryview(ways), bytes(width)
+    used[first:last] = nothing[: last - first]
+    for start, end in zip(starts, ends, strict=True):  # which grow
         for step in (-width, width):
-            place, stop = start + step, end + step
-            if (place, stop) in found or not 0 <= place < len(inside):
-                continue
-            while (place := unfilled.find(1, place, stop)) >= 0:
-                if not inside[place]:
-                    place = inside.find(1, place, stop)
-                    if place < 0:
-                        break
-                    continue
-                run = _run(inside, width, place)
-                if run not in found:
-                    found.add(run)
-                    waiting.append(run)
-                place = run[1]
-    runs = sorted(found)
-    rows = [start // width for start, _ in runs]
-    return (
-        rows,
-        [start % width for start, _ in runs],
-        [(end - 1) % width for _, end in runs],
-    )
+            way, stop = start + step, end + step
+            while way < stop and (way := ways.find(_YES, way, stop)) >= 0:
+                first, last = inside.rfind(0, 0, way) + 1, inside.find(0, way)
+                used[first:last] = nothing[: last - first]
+                starts.append(first)
+                ends.append(last)
+                way = last
+        if len(starts) > FEW:
+            return flood_many(inside, ways, width, starts)
+    return starts, ends
 
 
-def _run(inside: bytearray, width: int, place: int) -> tuple[int, int]:
-    """The run of inside pixels around a place: its start, and where it ends (excluded)."""
-    row = place // width * width
-    start = inside.rfind(0, row, place) + 1 or row
-    end = inside.find(0, place, row + width)
-    return start, end if end >= 0 else row + width
+def flood_many(inside: bytearray, ways: bytearray, width: int, places: list[int]) -> Runs:
+    """The runs to fill from several places, any number of them."""
+    marks = np.frombuffer(inside, np.bool_)
+    changes = np.flatnonzero(marks[1:] != marks[:-1]) + 1
+    starts, ends = changes[::2], changes[1::2]
+    upper, lower = _touching(starts, ends, width)
+    # Of two runs that touch, each is entered from the other where a way lies in what they share.
+    ways_before = np.zeros(len(ways) + 1, np.int32)
+    np.cumsum(np.frombuffer(ways, np.uint8), dtype=np.int32, out=ways_before[1:])
+    first = np.maximum(starts[upper] + width, starts[lower])
+    last = np.minimum(ends[upper] + width, ends[lower])
+    down = ways_before[last] > ways_before[first]
+    up = ways_before[last - width] > ways_before[first - width]
+    both, one = down & up, down ^ up
+    label = _joined(upper[both], lower[both], len(starts))
+    there, back = label[upper[one]], label[lower[one]]
+    source, target = np.where(down[one], (there, back), (back, there))
+    reached = np.zeros(len(starts), np.bool_)
+    reached[label[np.searchsorted(starts, places, side="right") - 1]] = True
+    while (new := target[reached[source] & ~reached[target]]).size:
+        reached[new] = True
+    found = reached[label]
+    return starts[found].tolist(), ends[found].tolist()
+
+
+def _touching(starts: Ints, ends: Ints, width: int) -> tuple[Ints, Ints]:
+    """The pairs of runs that touch, by number: one, and one below it."""
+    first = np.searchsorted(ends, starts + width, side="right")
+    count = np.searchsorted(starts, ends + width, side="left") - first
+    upper = np.repeat(np.arange(len(starts)), count)
+    lower = np.arange(len(upper)) + np.repeat(first - (np.cumsum(count) - count), count)
+    return upper, lower
+
+
+def _joined(one: NDArray[Any], other: NDArray[Any], count: int) -> NDArray[np.intp]:
+    """A label for each of `count` runs, the same for all that the pairs join."""
+    label = np.arange(count)
+    while True:
+        pair = label[one], label[other]
+        apart = pair[0] != pair[1]
+        if not apart.any():
+            return label
+        one, other = one[apart], other[apart]
+        smaller, larger = np.minimum(*pair)[apart], np.maximum(*pair)[apart]
+        np.minimum.at(label, larger, smaller)
+        while (label != (root := label[label])).any():
+            label = root

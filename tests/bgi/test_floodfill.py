@@ -1,38 +1,92 @@
 """Flood filling: Borland's rules, any shape."""
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bgi.raster.floodfill import flood
+from bgi.memory.page import Page
+from bgi.raster.floodfill import flood, flood_many
+from bgi.raster.patterns import FILL_PATTERNS
 
 
-def reference(inside, x, y):
-    """The 4-connected area by the plainest means."""
-    area, waiting = np.zeros_like(inside), [(x, y)]
+def reference(inside, ways, x, y):
+    """The runs of `inside` to fill from x, y, by the plainest means: a set of (y, first, last)."""
+
+    def run(x, y):
+        first = last = x
+        while inside[y, first - 1]:
+            first -= 1
+        while inside[y, last + 1]:
+            last += 1
+        return y, first, last
+
+    found, waiting = set(), [run(x, y)]
     while waiting:
-        x, y = waiting.pop()
-        within = 0 <= y < inside.shape[0] and 0 <= x < inside.shape[1]
-        if within and inside[y, x] and not area[y, x]:
-            area[y, x] = True
-            waiting += [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]
-    return area
+        y, first, last = one = waiting.pop()
+        if one not in found:
+            found.add(one)
+            waiting += [
+                run(x, row)
+                for row in (y - 1, y + 1)
+                for x in range(first, last + 1)
+                if ways[row, x]
+            ]
+    return found
 
 
-@settings(deadline=None)
-@given(st.integers(1, 12), st.integers(1, 12), st.integers(0, 2**31), st.floats(0.3, 0.95))
-def test_area(width, height, seed, density):
+@pytest.mark.parametrize("fill", [flood, flood_many])
+@settings(deadline=None, max_examples=300)
+@given(
+    st.integers(1, 12),
+    st.integers(1, 12),
+    st.integers(0, 2**31),
+    st.floats(0.3, 0.95),
+    st.sampled_from([0.2, 0.6, 1]),
+)
+def test_runs(fill, width, height, seed, density, passed):
     rng = np.random.default_rng(seed)
-    inside = rng.random((height, width)) < density
-    x, y = int(rng.integers(width)), int(rng.integers(height))
+    inside, ways = np.zeros((2, height + 2, width + 2), bool)
+    inside[1:-1, 1:-1] = rng.random((height, width)) < density
+    x, y = int(rng.integers(width)) + 1, int(rng.integers(height)) + 1
     inside[y, x] = True
-    marks = bytearray(inside.tobytes())
-    area = np.zeros_like(inside)
-    for row, first, last in zip(*flood(marks, marks, width, x, y), strict=True):
-        assert not area[row, first : last + 1].any()
-        area[row, first : last + 1] = True
-    assert (area == reference(inside, x, y)).all()
+    ways[:] = inside & (rng.random(inside.shape) < passed)
+    stride = width + 2
+    marks = bytearray(inside.tobytes()), bytearray(ways.tobytes())
+    place = y * stride + x
+    runs = zip(*fill(*marks, stride, place if fill is flood else [place]), strict=True)
+    found = [(a // stride, a % stride, (b - 1) % stride) for a, b in runs]
+    assert len(found) == len(set(found))
+    assert set(found) == reference(inside, ways, x, y)
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.integers(0, 2**31), st.floats(0, 0.5), st.integers(0, 11), st.integers(0, 6))
+def test_the_area_is_the_same_however_far_it_is_looked_for_first(seed, density, pattern, near):
+    rng = np.random.default_rng(seed)
+    page = Page(memoryview(bytearray(40 * 30)), 40, 30)
+    page.array[:] = rng.choice(3, (30, 40), p=[1 - density, density / 2, density / 2])
+    page.clip_to((3, 2, 37, 28))
+    x, y = int(rng.integers(40)), int(rng.integers(30))
+    areas = []
+    for first in (near, 100):
+        with patch("bgi.memory.areas._NEAR", first):
+            found = page.area(x, y, 1, 2, FILL_PATTERNS[pattern])
+            areas.append(sorted(zip(*found, strict=True)))
+    assert areas[0] == areas[1]
+
+
+def test_many_runs_are_filled_like_few(new_screen):
+    one, other = new_screen(), new_screen()
+    for screen in (one, other):
+        screen.line(range(2, 638, 2), 0, range(2, 638, 2), 478)
+        screen.setfillstyle(7, 2)
+    one.floodfill(1, 0, 15)
+    with patch("bgi.raster.floodfill.FEW", 10**9):
+        other.floodfill(1, 0, 15)
+    assert (one.page.array == other.page.array).all()
 
 
 def test_only_the_border_colour_stops_it(vga):
