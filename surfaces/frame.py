@@ -30,9 +30,10 @@ APART = 0.25
 """The least distance of small ticks, in characters."""
 
 
-def room(pen: Pen, axes: bool, title: bool, colorbar: bool) -> Room:
+def room(pen: Pen, axes: bool, title: bool, colorbar: bool, rulers: Rulers) -> Room:
     """Pixels to leave free for writing, at the left, the top, the right and the bottom."""
-    left, top, right, bottom = 6 * axes, 2 * title, 3 * axes, 3 * axes
+    aside = max(ruler.aside for ruler in rulers)
+    left, top, right, bottom = max(6, aside) * axes, 2 * title, aside * axes, 3 * axes
     right += BAR_AND_NUMBERS * colorbar
     character = pen.character
     return left * character, top * character, right * character, bottom * character

@@ -118,7 +118,7 @@ class Look:
         """
         keep_freed_memory()
         pen = Pen(self.on)
-        fitted, mapping = self._fitted(pen, box, mapping, turning=transform is not None)
+        fitted, mapping = self._fitted(pen, box, mapping, rulers, turning=transform is not None)
         T = fitted if transform is None else compose(fitted, _checked(transform))
         view = View.of(T, mapping)
         check_in_front(corners(box) - middle(box), view.screen)
@@ -134,7 +134,7 @@ class Look:
         return Stage(self, easel, box, mapping, fitted, T, rulers)
 
     def _fitted(
-        self, pen: Pen, box: Box, mapping: Projection | None, turning: bool
+        self, pen: Pen, box: Box, mapping: Projection | None, rulers: Rulers, turning: bool
     ) -> tuple[Doubles, Projection]:
         """The mapping as given, or one that fits; and the 4x4 transform that goes before it."""
         given = self.projection
@@ -153,7 +153,7 @@ class Look:
             zfrac=self.zfrac,
             aspect=pen.aspect,
             turning=turning,
-            labels=frame.room(pen, bool(self.names), bool(self.title), self.colorbar),
+            labels=frame.room(pen, bool(self.names), bool(self.title), self.colorbar, rulers),
         )
 
     def _inks(self, usual: int) -> tuple[int, int]:

@@ -8,7 +8,7 @@ a user reads off becomes numbers, or dates, on the way out; in between nobody kn
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from datetime import UTC, date, datetime
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,8 @@ from surfaces.ticks import Labels
 Dates = NDArray[np.datetime64]
 KINDS = (date, np.datetime64)
 """What a date may be; a datetime is a date, too."""
+FARTHEST = 2.0**62
+"""Steps of time that numpy can add to a date."""
 
 
 class Marks(NamedTuple):
@@ -35,6 +37,9 @@ class Marks(NamedTuple):
 
 class Ruler(ABC):
     """An axis: how its numbers are laid out, and marked."""
+
+    aside: ClassVar[int] = 3
+    """Characters that may stand out of the picture at the right, where its numbers stand there."""
 
     @abstractmethod
     def place(self, given: Any, name: str) -> Doubles:
@@ -91,7 +96,8 @@ class Logarithmic(Ruler):
         return np.log10(numbers, out=np.full(numbers.shape, np.nan), where=numbers > 0)
 
     def read(self, places: Doubles) -> Any:
-        return 10.0**places
+        with np.errstate(over="ignore"):
+            return 10.0**places
 
     def along(self, numbers: Doubles, name: str) -> Doubles:
         return self.every(numbers, name)
@@ -106,6 +112,7 @@ class Logarithmic(Ruler):
 class Calendar(Ruler):
     """Dates, by the seconds from a certain one."""
 
+    aside: ClassVar[int] = 8
     start: np.datetime64
     """A whole second."""
     unit: str
@@ -129,8 +136,9 @@ class Calendar(Ruler):
 
     def read(self, places: Doubles) -> Any:
         steps = np.rint(np.multiply(places, dates.PARTS[self.unit]))
-        whole = np.where(np.isnan(steps), 0, steps).astype(f"timedelta64[{self.unit}]")
-        found = np.where(np.isnan(steps), np.datetime64("NaT"), self.start + whole)
+        known = np.abs(steps) < FARTHEST
+        whole = np.where(known, steps, 0).astype(f"timedelta64[{self.unit}]")
+        found = np.where(known, self.start + whole, np.datetime64("NaT"))
         return found[()]  # of no dimension: the date itself
 
     def marks(self, low: float, high: float, about: int = 5, least: int = 2) -> Marks:

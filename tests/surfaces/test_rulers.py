@@ -234,6 +234,20 @@ def test_on_y_and_on_both() -> None:
     )
 
 
+def test_there_is_room_for_times_beside_a_bar_of_colors() -> None:
+    drawing = Svg(640, 480)
+    seconds = np.datetime64("2026-11-25T08:10:00") + np.arange(5)
+    surface(HEIGHTS, y=seconds, projection="top", axes=True, colorbar=True, on=drawing)
+    assert {f"08:10:0{second}" for second in range(5)} <= set(texts(drawing))
+
+
+def test_places_beyond_the_calendar_are_no_dates() -> None:
+    plot = dated(Canvas(120, 90))
+    far = plot.unproject([(1e30, 1e30, 1e30), (60, 45, 0)])
+    assert np.isnat(far[0, 0])
+    assert not np.isnat(far[1, 0])
+
+
 def test_functions_are_asked_for_dates() -> None:
     asked: list[Any] = []
 
