@@ -25,6 +25,7 @@ LAYERS = [
     "bgi.kernel.textmodes",
     "bgi.raster.lines",
     "bgi.raster.offsets",
+    "bgi.raster.kept",
     "bgi.raster.brush",
     "bgi.raster.patterns",
     "bgi.raster.polygons",

@@ -4,7 +4,6 @@ A letter is drawn from its strokes once, and then from its offsets wherever the 
 edge cuts it the strokes are clipped, one by one, and their pixels may be others: that is not kept.
 """
 
-from collections.abc import Callable
 from functools import lru_cache
 from itertools import accumulate
 from operator import add
@@ -16,15 +15,12 @@ from bgi.fonts import layout
 from bgi.fonts.chr import StrokedFont
 from bgi.fonts.codepage import REMEMBERED
 from bgi.fonts.layout import Scale
-from bgi.raster.lines import Ints, Segments
-from bgi.raster.offsets import Offsets, each_once, reach
+from bgi.raster.lines import Trace
+from bgi.raster.offsets import Offsets, each_once, offsets, reach
 
 KEPT_OF_A_LETTER, KEPT_OF_A_TEXT = 2048, 8192
 """Pixels of a letter and of a text that are kept, eight bytes each; larger ones are not. All that
 is kept takes at most 32 and 8 megabytes."""
-
-Trace = Callable[[Segments], tuple[Ints, Ints, Ints, Ints]]
-"""How a page draws lines, as `bgi.raster.lines.trace_many` does."""
 
 
 class Lettering:
@@ -60,7 +56,8 @@ def letter(way: Lettering, code: int) -> Letter:
     if (np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1).sum() > KEPT_OF_A_LETTER:
         return Letter(None, *move)
     x, y, _, _ = way.trace((x1, y1, x2, y2))
-    return Letter(Offsets(each_once(y * way.width + x, way.xor), *reach(x, y)), *move)
+    place = each_once(y * way.width + x, way.xor)
+    return Letter(offsets(place, reach(x, y), way.width), *move)
 
 
 def text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | None:
@@ -80,14 +77,13 @@ def _known_text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets 
     if sum(counts) > KEPT_OF_A_TEXT:
         return None
     x, y = layout.anchor(way.font, codes, way.scale, way.vertical, horiz, vert)
-    xs, ys = list(accumulate(across[:-1], initial=x)), list(accumulate(down[:-1], initial=y))
-    starts = [x + y * way.width for x, y in zip(xs, ys, strict=True)]
+    pens = accumulate(across[:-1], initial=x), accumulate(down[:-1], initial=y)
+    xs, ys = map(list, pens)
+    xs_left, ys_top = list(map(add, xs, left)), list(map(add, ys, top))
+    # A letter without pixels reaches from nowhere: no place has so many bits.
+    corners = zip(xs_left, ys_top, counts, strict=True)
+    starts = [x + y * way.width if count else 0 for x, y, count in corners]
     places = np.concatenate(place)
     places += np.array(starts).repeat(counts)
-    return Offsets(
-        each_once(places, True) if way.xor else places,
-        min(map(add, xs, left)),
-        min(map(add, ys, top)),
-        max(map(add, xs, right)),
-        max(map(add, ys, bottom)),
-    )
+    extent = min(xs_left), min(ys_top), max(map(add, xs, right)), max(map(add, ys, bottom))
+    return offsets(each_once(places, True) if way.xor else places, extent, way.width)

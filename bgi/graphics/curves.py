@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from bgi.constants import grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, whole
 from bgi.kernel.state import KERNEL
-from bgi.raster import ellipses, polygons
-from bgi.raster.patterns import SOLID_MASK
+from bgi.raster import ellipses, lines, polygons
+from bgi.raster.ellipses import CURVES, DISCS, PIECES, THICK_CURVES
+from bgi.raster.patterns import EMPTY_ROWS, SOLID_MASK
 from bgi.settings import arccoordstype
 
 
@@ -43,8 +46,8 @@ class Curves(Pen):
                 self._elliptic_arc(x, y, 0, 360, radius, ry)
             else:
                 KERNEL.arc = x, y, 0, 360, radius, ry
-                outline = ellipses.outline(0, 360, radius, ry, self.mode.width)
-                self.page.curve(x + self._dx, y + self._dy, outline, self._curve_ink)
+                curve = CURVES[0, 360, radius, ry, self.page.width]
+                self.page.curve(x + self._dx, y + self._dy, curve, self._curve_ink)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
 
@@ -118,30 +121,26 @@ class Curves(Pen):
             self._thick_arc(cx, cy, start, end, rx, ry)
         elif start != end:
             ends = start, end, rx, ry
-            outline = ellipses.outline(*ends, self.mode.width)
-            self.page.curve(cx, cy, outline, self._curve_ink)
+            curve = CURVES[start, end, rx, ry, self.page.width]
+            self.page.curve(cx, cy, curve, self._curve_ink)
         KERNEL.arc = x, y, *ends
 
     def _thick_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Lines from degree to degree around an absolute point; they know the write mode."""
         if not ellipses.drawable(rx, ry):
             return
-        color = self._ink
-        left, top, right, bottom = self.page.box
-        far, high = rx + 2, ry + 2  # half of a thick line, and the floor, beyond the radii
-        small = max(rx, ry) <= ellipses.REMEMBERED
-        inside = left + far <= x <= right - far and top + high <= y <= bottom - high
-        if small and inside and not (self._xor or self._wide or self._packed):
-            outline = ellipses.thick_outline(start, end, rx, ry, self.mode.width)
-            self.page.curve(x, y, outline, color)
+        if self._wide:
+            for side in np.stack(ellipses.thick_sides(start, end, rx, ry), axis=-1).tolist():
+                x1, y1, x2, y2 = side
+                for strand in self._strands(x + x1, y + y1, x + x2, y + y2):
+                    self.page.styled_line(strand, self._ink, SOLID_MASK, self._xor)
             return
-        corners = [(x + dx, y + dy) for dx, dy in ellipses.thick_points(start, end, rx, ry)]
-        for side in polygons.edges(polygons.paths(corners)):
-            for strand in self._strands(*side):
-                if self._xor:
-                    self.page.styled_line(strand, color, SOLID_MASK, True)
-                else:
-                    self.page.line(*strand, color)
+        figure = THICK_CURVES[start, end, rx, ry, self._xor, self.page.trace, self.page.width]
+        if not self.page.put_offsets(x, y, figure, self._ink, self._xor):
+            x1, y1, x2, y2 = ellipses.thick_sides(start, end, rx, ry)
+            strands = lines.strands_many((x + x1, y + y1, x + x2, y + y2))
+            colors = np.full(len(strands[0]), self._ink)
+            self.page.line_many(strands, colors, SOLID_MASK, self._xor)
 
     # Filled
 
@@ -150,8 +149,8 @@ class Curves(Pen):
         self._each(self._fillellipse, x=x, y=y, xradius=xradius, yradius=yradius)
 
     def _fillellipse(self, x: int, y: int, rx: int, ry: int) -> None:
-        steps = ellipses.quadrant(rx, ry)
-        self.page.fill_symmetric(x + self._dx, y + self._dy, steps, self._fill_ink, self._fill_rows)
+        cx, cy = x + self._dx, y + self._dy
+        self.page.fill_figure(cx, cy, DISCS[rx, ry], self._fill_ink, self._fill_rows)
         self._elliptic_arc(x, y, 0, 360, rx, ry)
 
     def pieslice(
@@ -190,12 +189,17 @@ class Curves(Pen):
         KERNEL.arc = (x, y, start, end, rx, ry) if start < end else (x, y, 0, 0, 0, 0)
         if not ellipses.drawable(rx, ry):
             return
-        fill, color = self._fill_ink, self._ink
-        cx, cy = x + self._dx, y + self._dy
+        cx, cy, color = x + self._dx, y + self._dy, self._ink
         for first, last in ellipses.quarters(start, end):
-            arc = [(cx + dx, cy + dy) for dx, dy in ellipses.arc(first, last, rx, ry)]
-            self._fill_area([*arc, (cx, cy)], fill)
-            self._sides(polygons.edges(polygons.paths(arc)), color)
+            piece = PIECES[first, last, rx, ry, self.page.width]
+            if self._fill_rows != EMPTY_ROWS:  # which leaves a polygon's interior alone
+                self.page.fill_figure(cx, cy, piece.rows, self._fill_ink, self._fill_rows)
+            if self._plain and piece.smooth:
+                self.page.curve(cx, cy, piece.edge, color)
+            else:
+                corners = zip(piece.edge.dx.tolist(), piece.edge.dy.tolist(), strict=True)
+                shifted = [(cx + dx, cy + dy) for dx, dy in corners]
+                self._sides(polygons.edges(polygons.paths(shifted)), color)
         for angle in (start, end):  # without an angle between them both radii are a dot
-            dx, dy = ellipses.point_at(angle, rx, ry) if start < end else (0, 0)
-            self._segment(cx, cy, cx + dx, cy + dy, color)
+            ex, ey = ellipses.point_at(angle, rx, ry) if start < end else (0, 0)
+            self._segment(cx, cy, cx + ex, cy + ey, color)

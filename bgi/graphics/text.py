@@ -26,7 +26,6 @@ from bgi.fonts.lettering import text as whole_text
 from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
-from bgi.raster import lines
 from bgi.raster.lines import Segment
 from bgi.raster.patterns import SOLID_MASK
 from bgi.settings import textsettingstype
@@ -171,8 +170,7 @@ class Text(State):
         """Thin solid lines, each clipped on its own."""
         style, scale = self.settings.text, self._scale()
         vertical = style.direction == VERT_DIR
-        trace = lines.trace_rightward if self._packed else lines.trace_many
-        way = lettering(font, scale, vertical, self._xor, trace, self.mode.width)
+        way = lettering(font, scale, vertical, self._xor, self.page.trace, self.mode.width)
         drawn = whole_text(way, text, style.horiz, style.vert)
         if drawn is not None and self.page.put_offsets(x, y, drawn, self._ink, self._xor):
             return

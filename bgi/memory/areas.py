@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from bgi.memory.pixmap import Mask, Pixels, Pixmap
-from bgi.raster.ellipses import Offset
+from bgi.raster.ellipses import FigureRows
 from bgi.raster.floodfill import flood
 from bgi.raster.lines import Box, Ints
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, Ink, ink
@@ -15,6 +15,8 @@ from bgi.raster.spans import Spans
 
 Cuts = dict[int, memoryview]
 
+FAR = 1 << 40
+"""Nothing of a figure so far away can be seen; below it int64 holds its points."""
 KEPT_INKS = 1 << 21
 """Bytes of patterns in colours that a page keeps."""
 _NEAR = 32
@@ -128,16 +130,14 @@ class Areas(Pixmap):
         self.flat[place] = self._patterned(place, inks, rows)
         return place, lengths
 
-    def fill_symmetric(
-        self, x: int, y: int, steps: list[Offset], color: int, pattern: bytes
-    ) -> None:
-        """An ellipse: for each step (i, j) the rows y - j and y + j, from x - i to x + i."""
-        _, top, _, bottom = self.box
-        rows = [(y + s * j, x - i, x + i) for i, j in steps for s in (-1, 1)]
-        rows = [row for row in rows if top <= row[0] <= bottom]
-        self.fill_rows(
-            ([r[0] for r in rows], [r[1] for r in rows], [r[2] for r in rows]), color, pattern
-        )
+    def fill_figure(self, x: int, y: int, rows: FigureRows, color: int, pattern: bytes) -> None:
+        """The rows of a figure at x, y, in a fill pattern."""
+        ys, left, right = rows
+        if abs(x) < FAR and abs(y) < FAR:
+            first, last = ys.searchsorted((self._top - y, self._bottom + 1 - y)).tolist()
+            shown = slice(first, last)
+            ends = (left[shown] + x).tolist(), (right[shown] + x).tolist()
+            self.fill_rows(((ys[shown] + y).tolist(), *ends), color, pattern)
 
     # Floods
 

@@ -8,11 +8,13 @@ too (Turbo C++ 3.0, captured).
 from bgi.memory.page import Page
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
-from bgi.raster.lines import Ints, Segment, Segments
+from bgi.raster.lines import Ints, Segment
 
 
 class PackedPage(Page):
     """A page whose lines run rightward."""
+
+    trace = staticmethod(lines.trace_rightward)
 
     def line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """A thin solid line."""
@@ -24,6 +26,3 @@ class PackedPage(Page):
     def _places(self, segment: Segment) -> Ints:
         x1, y1, x2, y2 = segment
         return lines.places((y2, x2, y1, x1), self.width, 1)
-
-    def _pixels_of(self, segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
-        return lines.trace_rightward(segments)

@@ -8,21 +8,22 @@ from collections.abc import Iterator
 import numpy as np
 
 from bgi.memory.areas import Areas
+from bgi.memory.boxes import within
 from bgi.memory.pixmap import Mask
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
-from bgi.raster.ellipses import Outline
+from bgi.raster.ellipses import Curve
 from bgi.raster.lines import Ints, Segments
 from bgi.raster.offsets import Offsets
 from bgi.raster.patterns import SOLID_MASK
 from bgi.raster.spans import Spans
 
-FAR = 1 << 40
-"""Nothing of a curve or text so far away can be seen; below it int64 holds its points."""
-
 
 class Page(Areas):
     """A page to draw lines, curves and polygons with their outlines on."""
+
+    trace = staticmethod(lines.trace_many)
+    """How the driver draws lines."""
 
     # Lines
 
@@ -76,16 +77,12 @@ class Page(Areas):
         x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
         lengths = np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1
         for part in lines.grouped(lengths, lines.CHUNK):
-            x, y, step, which = self._pixels_of((x1[part], y1[part], x2[part], y2[part]))
+            x, y, step, which = self.trace((x1[part], y1[part], x2[part], y2[part]))
             place = y * self.width + x
             if pattern is not SOLID_MASK:
                 drawn = pattern[step]
                 place, which = place[drawn], which[drawn]
             yield place, kept[part][which]
-
-    def _pixels_of(self, segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
-        """The pixels of thin lines within the clipping box, as `lines.trace_many` returns them."""
-        return lines.trace_many(segments)
 
     def outline(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
         """The four sides of a box, thin and solid; corners in any order."""
@@ -136,18 +133,13 @@ class Page(Areas):
 
     # Curves
 
-    def curve(self, x: int, y: int, outline: Outline, color: int) -> None:
+    def curve(self, x: int, y: int, curve: Curve, color: int) -> None:
         """A thin curve around x, y."""
-        dx, dy, place, left, top, right, bottom = outline
-        if (
-            self._left <= x + left
-            and x + right <= self._right
-            and self._top <= y + top
-            and y + bottom <= self._bottom
-        ):
-            self.flat[place + (y * self.width + x)] = color
-        elif max(abs(x), abs(y)) < FAR:
-            self.put_many(x + dx, y + dy, color)
+        dx, dy, pixels = curve
+        if not self.put_offsets(x, y, pixels, color, False):
+            seen = self._left - x, self._top - y, self._right - x, self._bottom - y
+            corner = (y + pixels.top) * self.width + x + pixels.left
+            self.flat[pixels.place[within(dx, dy, seen)] + corner] = color
 
     def put_offsets(self, x: int, y: int, figure: Offsets, color: int, xor: bool) -> bool:
         """Draw a kept figure at x, y; False, and nothing is drawn, if the clipping box cuts it."""
@@ -158,10 +150,11 @@ class Page(Areas):
             and self._top <= y + top
             and y + bottom <= self._bottom
         ):
+            pixels = self.flat[(y + top) * self.width + x + left :]
             if xor:
-                self.flat[place + (y * self.width + x)] ^= color
+                pixels[place] ^= color
             else:
-                self.flat[place + (y * self.width + x)] = color
+                pixels[place] = color
             return True
         return (
             x + right < self._left

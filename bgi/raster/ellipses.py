@@ -12,15 +12,16 @@ is different: one point for every whole degree, joined by thick lines.
 """
 
 import math
-from collections.abc import Iterator
-from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from bgi.raster import lines, polygons
-from bgi.raster.lines import Ints
+from bgi.raster.kept import Kept
+from bgi.raster.lines import Ints, Segments, Trace
+from bgi.raster.offsets import Offsets, each_once, offsets, reach
 
 Offset = tuple[int, int]
 """dx, dy from the centre, dy downwards."""
@@ -44,52 +45,54 @@ def point_at(angle: int, rx: int, ry: int) -> Offset:
     return sine(angle + 90) * rx >> 16, -(sine(angle) * ry >> 16)
 
 
-def _steps(rx: int, ry: int) -> Iterator[Offset]:
-    """One quadrant, from the top (0, ry) to the right end, y upwards.
-
-    `error` is p * x**2 + q * y**2 - square at the point x, y. One step to the right adds h to it,
-    one step down takes v away.
-    """
-    square = 100 * max(rx, ry) ** 2
-    p, q = square // rx // rx, square // ry // ry
-    x, y = 0, ry
-    error, dv, dh = q * ry * ry - square, 2 * q * ry, 0
-    while True:  # the flat part: every x once
-        yield x, y
-        h, v = dh + p, dv - q
-        if 2 * error + 2 * h >= v:
-            y, error, dv = y - 1, error - v, v - q
-        x, error, dh = x + 1, error + h, h + p
-        if dh >= dv:
-            break
-    while y >= 0:  # the steep part: every y once
-        yield x, y
-        h, v = dh + p, dv - q
-        if h // 2 + error <= v:
-            x, error, dh = x + 1, error + h, h + p
-        y, error, dv = y - 1, error - v, v - q
+_COUNT = np.arange(6554, dtype=np.int64)
+_SQUARES = (_COUNT * _COUNT).astype(np.float64)
+"""Of radii that do not overflow."""
 
 
-REMEMBERED = 1024
-"""The largest radius of a curve whose points are kept."""
+def quadrant(rx: int, ry: int) -> tuple[Ints, Ints]:
+    """The stepper's points of one quadrant, from the top (0, ry) to the right end: x and y upwards.
 
+    Radii 0 are taken as 1. Nothing for negative radii, and where the original's arithmetic
+    overflows.
 
-def quadrant(rx: int, ry: int) -> list[Offset]:
-    """The stepper's points of one quadrant (x right, y up), radii 0 taken as 1; else empty.
-
-    Nothing for negative radii, and nothing where the original's arithmetic overflows.
+    The error at x, y is p * x**2 + q * y**2 - square. In the flat part the stepper takes every x
+    once, and goes down where the errors of both candidates together are not below 0: below the y
+    where a square root says that they are 0, but by one row at most. In the steep part it takes
+    every y once, and goes to the right in the same way. No two candidates are so near to that place
+    that floating point could take one for the other: an eighth, added to whole numbers, makes sure
+    of that where they are exactly there.
     """
     if not drawable(rx, ry):
-        return []
-    find = _known_steps if max(rx, ry) <= REMEMBERED else _all_steps
-    return find(max(rx, 1), max(ry, 1))
+        return _COUNT[:0], _COUNT[:0]
+    rx, ry = max(rx, 1), max(ry, 1)
+    square = 100 * max(rx, ry) ** 2
+    p, q = square // rx // rx, square // ry // ry
+    flat = int(math.sqrt(square * q / (p * (p + q)))) + 3  # a little farther than p * x = q * y
+    x, height = _COUNT[:flat], _SQUARES[:flat] * (-p / q)
+    height += (square - 0.125) / q - 0.25
+    y = np.minimum(_rounded_root(height), ry)
+    y += x
+    np.maximum.accumulate(y, out=y)
+    y -= x
+    turn = int((p * x >= q * y)[1:].argmax()) + 1
+    low = int(y[turn])
+    down, width = _COUNT[: low + 1], _SQUARES[low::-1] * (-q / p)
+    width += (square - p // 2 + 0.125) / p + 0.25
+    across = np.maximum(_rounded_root(width), turn)
+    across[0] = turn
+    across -= down
+    np.minimum.accumulate(across, out=across)
+    across += down
+    return np.concatenate((x[:turn], across)), np.concatenate((y[:turn], _COUNT[low::-1]))
 
 
-def _all_steps(rx: int, ry: int) -> list[Offset]:
-    return list(_steps(rx, ry))
-
-
-_known_steps = lru_cache(maxsize=128)(_all_steps)
+def _rounded_root(squares: NDArray[np.float64]) -> Ints:
+    """The whole number next to each square root; of less than 0 it is 0."""
+    np.maximum(squares, 0, out=squares)
+    np.sqrt(squares, out=squares)
+    squares += 0.5
+    return squares.astype(np.int64)
 
 
 def drawable(rx: int, ry: int) -> bool:
@@ -115,6 +118,8 @@ def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     return [point_at(angle, rx, ry) for angle in range(start, start + sweep + 1)]
 
 
+_FAR = 1 << 16
+"""Beyond every radius."""
 _QUADRANT = 1 << 20
 """Between the ranks of two quadrants. The original's 2000 mixes them up for radii above 1000."""
 
@@ -127,66 +132,130 @@ def _rank(dx: int, dy: int) -> int:
     return 2 * _QUADRANT + dx - up if dx < 0 else 3 * _QUADRANT + dx + up
 
 
-class Outline(NamedTuple):
-    """The points of a thin curve: offsets from its centre, in the stepper's order."""
+class Ring(NamedTuple):
+    """The points of a whole thin ellipse, offsets from its centre, and the rank of each."""
 
     dx: Ints
     dy: Ints
-    place: Ints
-    """The same as offsets into a page."""
-    left: int
-    top: int
-    right: int
-    bottom: int
-    """How far it reaches, all offsets from the centre; nothing for an empty one."""
+    rank: Ints
 
 
-def outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
-    """A thin curve from angle to angle, for a page of that width."""
-    find = _known_outline if rx <= REMEMBERED and ry <= REMEMBERED else _outline
-    return find(start, end, rx, ry, width)
+def _all_round(rx: int, ry: int) -> tuple[Ints, Ints]:
+    """dx and dy of a whole thin ellipse: four points for each step, in that order."""
+    x, y = quadrant(rx, ry)
+    return np.multiply.outer(x, _ACROSS).ravel(), np.multiply.outer(y, _DOWN).ravel()
 
 
-def _outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
-    points = np.array(arc(start, end, rx, ry), dtype=np.int64).reshape(-1, 2)
-    return _reaching(points, width)
+_ACROSS, _DOWN = np.array([1, -1, 1, -1]), np.array([-1, -1, 1, 1])
 
 
-_known_outline = lru_cache(maxsize=256)(_outline)
+def _ring(rx: int, ry: int) -> Ring:
+    dx, dy = _all_round(rx, ry)
+    upper = np.where(dx >= 0, -dy - dx, _QUADRANT - dx + dy)
+    lower = np.where(dx < 0, 2 * _QUADRANT + dx + dy, 3 * _QUADRANT + dx - dy)
+    return Ring(dx, dy, np.where(dy <= 0, upper, lower))
 
 
-@lru_cache(maxsize=64)
-def thick_outline(start: int, end: int, rx: int, ry: int, width: int) -> Outline:
-    """A thick curve that nothing clips, for a page of that width; each pixel once."""
-    sides = polygons.edges(polygons.paths(thick_points(start, end, rx, ry)))
-    ends = np.array(sides, dtype=np.int64).reshape(-1, 4)
-    x1, y1, x2, y2 = ends.T
-    x, y, _, _ = lines.trace_many(lines.strands_many((x1, y1, x2, y2)))
-    both = np.unique(y * 2 * _QUADRANT + x + _QUADRANT)  # as one number: quicker than by pairs
-    y, x = np.divmod(both, 2 * _QUADRANT)
-    return _reaching(np.stack((x - _QUADRANT, y), axis=1), width)
+RINGS = Kept(_ring, 1 << 21)
+"""By both radii."""
 
 
-def _reaching(points: Ints, width: int) -> Outline:
-    """Points, one a row, as an outline."""
-    dx, dy = points.T
-    reach = (*points.min(axis=0), *points.max(axis=0)) if len(points) else (0, 0, 0, 0)
-    return Outline(dx, dy, dy * width + dx, *map(int, reach))
-
-
-def arc(start: int, end: int, rx: int, ry: int) -> list[Offset]:
-    """The points of a thin arc, or of a whole ellipse: four for each step, in that order."""
-    if start == end:
-        return []
-    points = [point for x, y in quadrant(rx, ry) for point in ((x, -y), (-x, -y), (x, y), (-x, y))]
+def arc(start: int, end: int, rx: int, ry: int) -> tuple[Ints, Ints]:
+    """dx and dy of a thin arc's points, in the stepper's order."""
+    if (start, end) == (0, 360):
+        return _all_round(rx, ry)
+    dx, dy, rank = RINGS[rx, ry]
+    if start == end or not len(rank):
+        return dx[:0], dy[:0]
     first, last = point_at(start, rx, ry), point_at(end, rx, ry)
     sweep = end - start if start < end else 360  # whatever it is
-    if points and (sweep < 2 or (first == last and sweep < 350)):
-        return [last]
+    if sweep < 2 or (first == last and sweep < 350):
+        return np.array(last[:1]), np.array(last[1:])
     low, high = _rank(*first), _rank(*last)
-    if high <= low:
-        return [point for point in points if not high < _rank(*point) < low]
-    return [point for point in points if low <= _rank(*point) <= high]
+    after, before = rank >= low, rank <= high
+    inside = after | before if high <= low else after & before
+    return dx[inside], dy[inside]
+
+
+class Curve(NamedTuple):
+    """A thin curve: its points as offsets from its centre, and the same as a figure."""
+
+    dx: Ints
+    dy: Ints
+    pixels: Offsets
+
+
+def _curve(start: int, end: int, rx: int, ry: int, width: int) -> Curve:
+    dx, dy = arc(start, end, rx, ry)
+    if (start, end) == (0, 360) and len(dx):  # known sooner
+        left, top = int(dx[-1]), int(dy[0])
+        extent = left, top, -left, -top
+    else:
+        extent = reach(dx, dy)
+    return Curve(dx, dy, offsets(dy * width + dx, extent, width))
+
+
+CURVES = Kept(_curve, 1 << 23)
+"""By start and end, both radii, and the width of a page."""
+
+
+def _thick_curve(
+    start: int, end: int, rx: int, ry: int, xor: bool, trace: Trace, width: int
+) -> Offsets:
+    x, y, _, _ = trace(lines.strands_many(thick_sides(start, end, rx, ry)))
+    return offsets(each_once(y * width + x, xor), reach(x, y), width)
+
+
+THICK_CURVES = Kept(_thick_curve, 1 << 23)
+"""The same of thick curves; also by the write mode, and by how a page draws lines."""
+
+
+def thick_sides(start: int, end: int, rx: int, ry: int) -> Segments:
+    """The lines of a thick curve, before they are made thick."""
+    sides = polygons.edges(polygons.paths(thick_points(start, end, rx, ry)))
+    x1, y1, x2, y2 = np.array(sides, dtype=np.int64).reshape(-1, 4).T
+    return x1, y1, x2, y2
+
+
+FigureRows = tuple[Ints, Ints, Ints]
+"""Rows to fill: y, from the top down, and both ends, seen from the figure's place."""
+
+
+def _disc(rx: int, ry: int) -> FigureRows:
+    x, y = quadrant(rx, ry)
+    widest = x[np.flatnonzero(np.diff(y, append=-1))]  # of each y, the last one that has it
+    right = np.concatenate((widest, widest[-2::-1]))
+    return np.arange(len(right)) - len(right) // 2, -right, right
+
+
+DISCS = Kept(_disc, 1 << 21)
+"""The rows that fill an ellipse, by both radii."""
+
+
+class Piece(NamedTuple):
+    """A piece of a slice, within a quadrant."""
+
+    rows: FigureRows
+    edge: Curve
+    """Its arc."""
+    smooth: bool
+    """Whether lines along the arc are just its points: each leads from a pixel to one beside."""
+
+
+def _piece(first: int, last: int, rx: int, ry: int, width: int) -> Piece:
+    curve = _curve(first, last, rx, ry, width)
+    arc = list(zip(curve.dx.tolist(), curve.dy.tolist(), strict=True))
+    sides = polygons.edges(polygons.paths(arc))
+    near = all(abs(x2 - x1) <= 1 and abs(y2 - y1) <= 1 for x1, y1, x2, y2 in sides)
+    ends = {end for x1, y1, x2, y2 in sides for end in ((x1, y1), (x2, y2))}
+    area = polygons.paths([*arc, (0, 0), *arc[:1]])
+    y, one, other = np.array(polygons.scan(area, -_FAR, _FAR), dtype=np.int64)
+    rows = y, np.minimum(one, other), np.maximum(one, other)
+    return Piece(rows, curve, near and ends == set(arc))
+
+
+PIECES = Kept(_piece, 1 << 22)
+"""By start and end, both radii, and the width of a page."""
 
 
 def slice_angles(start: int, end: int) -> tuple[int, int]:

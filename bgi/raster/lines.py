@@ -14,7 +14,7 @@ A thick line is three thin ones, each clipped on its own: the line itself, the s
 the same shifted by +1; in y if it is more level than upright, else in x.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,8 @@ Segment = tuple[int, int, int, int]
 """x1, y1, x2, y2."""
 Segments = tuple[Ints, Ints, Ints, Ints]
 """x1, y1, x2, y2 of many lines."""
+Trace = Callable[[Segments], tuple[Ints, Ints, Ints, Ints]]
+"""How a driver draws lines, as `trace_many` does."""
 
 CHUNK = 8192
 """Pixels traced at a time: such arrays fit into the processor's cache."""

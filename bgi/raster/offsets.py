@@ -1,7 +1,7 @@
 """Figures kept as offsets: their pixels as places on a page, seen from one place of theirs.
 
 A figure that is drawn again and again is the same pixels elsewhere, as long as no edge cuts its
-lines: then to draw it is one addition and one assignment, for all of its pixels at once.
+lines: then to draw it is one assignment, for all of its pixels at once.
 """
 
 from typing import NamedTuple
@@ -22,11 +22,16 @@ class Offsets(NamedTuple):
     """A figure's pixels, and how far they reach."""
 
     place: Ints
-    """y * width + x of each, on pages of one width."""
+    """y * width + x of each, on pages of one width, counted from the reach's upper left corner."""
     left: int
     top: int
     right: int
     bottom: int
+
+
+def offsets(place: Ints, reach: Reach, width: int) -> Offsets:
+    """A figure whose places are counted from the place that it is seen from."""
+    return Offsets(place - (reach[1] * width + reach[0]) if len(place) else place, *reach)
 
 
 def reach(x: Ints, y: Ints) -> Reach:

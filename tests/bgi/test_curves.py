@@ -1,10 +1,21 @@
 """Circles, arcs, ellipses, pies: the check values of the manual, and their edge cases."""
 
+from contextlib import nullcontext
+from unittest.mock import patch
+
+import numpy as np
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
 import bgi
+from bgi import CGA, CGAC0, CGAHI, VGA, VGAHI
+from bgi.graphics import Graphics
+from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
+from bgi.memory.page import Page
 from bgi.raster import ellipses as curves
+from bgi.raster.kept import Kept
 from bgi.settings import arccoordstype
 from tests.pictures import points
 
@@ -110,7 +121,8 @@ def test_ellipse_of_the_check_values():
         (12, 1),
         (12, 0),
     ]
-    assert curves.quadrant(12, 5) == steps
+    x, y = curves.quadrant(12, 5)
+    assert list(zip(x.tolist(), y.tolist(), strict=True)) == steps
 
 
 def test_flat_ellipses_fall_short_as_in_the_original(vga):
@@ -254,3 +266,140 @@ def test_a_thick_curve_is_thick_lines_from_degree_to_degree(vga, curve, place):
     vga.cleardevice()
     vga.drawpoly([(x + dx, y + dy) for dx, dy in curves.thick_points(*curve)])
     assert drawn == points(vga)
+
+
+def stepped(rx, ry):
+    """The quadrant as the kernel walks along it, from pixel to pixel: the captured rule."""
+    square = 100 * max(rx, ry) ** 2
+    p, q = square // rx // rx, square // ry // ry
+    x, y = 0, ry
+    error, dv, dh = q * ry * ry - square, 2 * q * ry, 0
+    while True:  # the flat part: every x once
+        yield x, y
+        h, v = dh + p, dv - q
+        if 2 * error + 2 * h >= v:
+            y, error, dv = y - 1, error - v, v - q
+        x, error, dh = x + 1, error + h, h + p
+        if dh >= dv:
+            break
+    while y >= 0:  # the steep part: every y once
+        yield x, y
+        h, v = dh + p, dv - q
+        if h // 2 + error <= v:
+            x, error, dh = x + 1, error + h, h + p
+        y, error, dv = y - 1, error - v, v - q
+
+
+radii = st.one_of(st.integers(1, 60), st.integers(1, 1100), st.integers(1, 6553))
+
+
+def assert_stepped(rx, ry):
+    x, y = curves.quadrant(rx, ry)
+    assert list(zip(x.tolist(), y.tolist(), strict=True)) == list(stepped(rx, ry)), (rx, ry)
+
+
+@settings(deadline=None, max_examples=200)
+@given(rx=radii, ry=radii)
+@example(rx=8, ry=1015)
+@example(rx=1035, ry=806)
+@example(rx=100, ry=2)
+def test_a_quadrant_is_what_the_stepper_walks(rx, ry):
+    """It is computed for all points at once, by square roots."""
+    assert_stepped(rx, ry)
+
+
+def test_small_quadrants_are_what_the_stepper_walks():
+    for rx in range(1, 41):
+        for ry in range(1, 41):
+            assert_stepped(rx, ry)
+
+
+ANGLES = st.one_of(st.integers(0, 360), st.sampled_from([0, 90, 180, 270, 360]))
+CURVES = {
+    "circle": st.tuples(st.integers(0, 60)),
+    "arc": st.tuples(ANGLES, ANGLES, st.integers(0, 60)),
+    "ellipse": st.tuples(ANGLES, ANGLES, st.integers(0, 60), st.integers(0, 60)),
+    "fillellipse": st.tuples(st.integers(0, 60), st.integers(0, 60)),
+    "pieslice": st.tuples(ANGLES, ANGLES, st.integers(0, 60)),
+    "sector": st.tuples(ANGLES, ANGLES, st.integers(0, 60), st.integers(0, 60)),
+}
+curve_calls = st.sampled_from(list(CURVES)).flatmap(
+    lambda name: st.tuples(st.just(name), CURVES[name])
+)
+centres = st.tuples(st.integers(-70, 170), st.integers(-70, 140))
+MODES = st.sampled_from([(VGA, VGAHI), (CGA, CGAC0), (CGA, CGAHI)])
+quick = settings(deadline=None, max_examples=150)
+
+
+def drawn(call, centre, style=(0, 0, 1), xor=0, mode=(VGA, VGAHI), fill=1, box=(40, 30, 139, 99)):
+    """The page after a curve in a viewport, its pattern behind it."""
+    screen = Graphics(find(*mode))
+    screen.page.flat[:] = np.arange(screen.page.flat.size) % min(13, screen.mode.colors)
+    screen.setlinestyle(*style)
+    screen.setwritemode(xor)
+    screen.setfillstyle(fill, 9)
+    screen.setcolor(14)
+    screen.setviewport(*box, 1)
+    name, numbers = call
+    x, y = centre
+    getattr(screen, name)(x - box[0], y - box[1], *numbers)
+    return screen.page.array
+
+
+@quick
+@given(call=curve_calls, centre=centres, mode=MODES, fill=st.integers(0, 11))
+def test_a_thin_curve_in_a_viewport_is_what_is_seen_of_the_whole(call, centre, mode, fill):
+    """The radii of a slice are lines, whose clipped pixels may differ: it is drawn without."""
+    with patch.object(Graphics, "_segment", lambda *_: None):
+        whole = drawn(call, centre, mode=mode, fill=fill, box=(0, 0, 319, 199))
+        cut = drawn(call, centre, mode=mode, fill=fill)
+    assert (cut[30:100, 40:140] == whole[30:100, 40:140]).all()
+    cut[30:100, 40:140] = 0
+    blank = drawn(("circle", (-1,)), centre, mode=mode)
+    blank[30:100, 40:140] = 0
+    assert (cut == blank).all()
+
+
+styles = st.tuples(st.integers(0, 4), st.integers(0, 0xFFFF), st.sampled_from([1, 3]))
+
+
+@quick
+@given(
+    call=curve_calls,
+    centre=st.one_of(centres, st.tuples(st.integers(90, 110), st.integers(60, 80))),
+    style=styles,
+    xor=st.integers(0, 1),
+    mode=MODES,
+    fill=st.integers(0, 11),
+)
+def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode, fill):
+    """Thick curves, and slices with their arcs."""
+    kept = drawn(call, centre, style, xor, mode, fill)
+
+    def by_lines(*key):
+        return curves._piece(*key)._replace(smooth=False)
+
+    def cut(self, *_):
+        return False
+
+    thin = style[2] == 1
+    with (
+        patch("bgi.graphics.curves.PIECES", Kept(by_lines, 1000)),
+        nullcontext() if thin else patch.object(Page, "put_offsets", cut),
+    ):
+        plain = drawn(call, centre, style, xor, mode, fill)
+    assert (kept == plain).all()
+
+
+@quick
+@given(
+    call=curve_calls,
+    x=st.sampled_from([-(10**30), -(1 << 40), -(1 << 24), 50, 1 << 62, 10**30]),
+    y=st.sampled_from([-(10**30), -(1 << 40), -(1 << 24), 50, 1 << 62, 10**30]),
+    style=styles,
+    xor=st.integers(0, 1),
+)
+def test_curves_may_be_anywhere(call, x, y, style, xor):
+    if (x, y) != (50, 50):
+        nothing = drawn(("circle", (-1,)), (0, 0))
+        assert (drawn(call, (x, y), style, xor) == nothing).all()

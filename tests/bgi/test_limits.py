@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from bgi.kernel.arguments import MAX_DIMENSIONS, MAX_NUMBERS
 from bgi.kernel.state import KERNEL
 from bgi.memory.card import MAX_SIDE
 from bgi.raster import ellipses
+from bgi.raster.kept import Kept
 from bgi.raster.lines import trace_many
 from tests.stroked import font_of
 
@@ -218,8 +220,6 @@ def test_the_built_in_font_has_none() -> None:
         (layout._known_width, lambda: bgi.textwidth("x" * 81)),
         (lettering._known_text, lambda: bgi.outtextxy(0, 0, "x" * 81)),
         (bitmap._remembered, lambda: bitmap.mask(b"x" * 80, 4, 4)),
-        (ellipses._known_outline, lambda: bgi.circle(1, 1, 1025)),
-        (ellipses._known_steps, lambda: bgi.fillellipse(1, 1, 5, 1025)),
     ],
 )
 def test_what_is_large_is_not_kept(cache: object, call: Callable[[], object]) -> None:
@@ -227,6 +227,25 @@ def test_what_is_large_is_not_kept(cache: object, call: Callable[[], object]) ->
     cache.cache_clear()  # type: ignore[attr-defined]
     call()
     assert cache.cache_info().currsize == 0  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("table", "call"),
+    [
+        (ellipses.RINGS, lambda radius: bgi.arc(1, 1, 10, 80, radius)),
+        (ellipses.CURVES, lambda radius: bgi.circle(1, 1, radius)),
+        (ellipses.DISCS, lambda radius: bgi.fillellipse(1, 1, 9, radius)),
+        (ellipses.PIECES, lambda radius: bgi.sector(1, 1, 30, 60, 9, radius)),
+    ],
+)
+def test_what_is_kept_of_curves_is_bounded_by_its_bytes(
+    table: Kept[Any], call: Callable[[int], None]
+) -> None:
+    for radius in range(6553, 0, -41):
+        call(radius)
+        assert 0 <= table.bytes <= 1 << 23
+    assert table.bytes > 1 << 20
+    assert len(table) < 160  # the first ones have gone
 
 
 def test_letters_with_thousands_of_strokes_are_not_kept() -> None:

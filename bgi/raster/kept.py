@@ -1,0 +1,41 @@
+"""Tables that fill themselves, and never grow beyond so many bytes."""
+
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+import numpy as np
+
+Made = TypeVar("Made", bound=Iterable[object])
+_OF_AN_ENTRY = 500
+"""Bytes that an entry takes besides its arrays' numbers, roughly."""
+
+
+class Kept(dict[Any, Made]):
+    """What a function made of its arguments, to be looked up by them: `table[a, b]` is `f(a, b)`.
+
+    What it makes is a tuple of arrays and numbers, or of such tuples. Where all of them together
+    take too many bytes, the oldest are forgotten. (functools.lru_cache counts entries, whatever
+    their size, and takes longer to find one.)
+    """
+
+    def __init__(self, make: Callable[..., Made], most_bytes: int) -> None:
+        """An empty table."""
+        super().__init__()
+        self._make = make
+        self._most = most_bytes
+        self.bytes = 0
+
+    def __missing__(self, key: tuple[Any, ...]) -> Made:
+        made = self._make(*key)
+        self.bytes += _bytes(made)
+        self[key] = made
+        while self.bytes > self._most:
+            self.bytes -= _bytes(self.pop(next(iter(self))))
+        return made
+
+
+def _bytes(made: Iterable[object]) -> int:
+    parts = [part for part in made if isinstance(part, (np.ndarray, tuple))]
+    return _OF_AN_ENTRY + sum(
+        part.nbytes if isinstance(part, np.ndarray) else _bytes(part) for part in parts
+    )

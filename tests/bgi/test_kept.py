@@ -1,0 +1,32 @@
+"""Tables that fill themselves."""
+
+import numpy as np
+
+from bgi.raster.kept import Kept
+
+
+def test_a_table_makes_a_thing_once() -> None:
+    asked: list[tuple[int, int]] = []
+
+    def make(a: int, b: int) -> tuple[int, ...]:
+        asked.append((a, b))
+        return a, b
+
+    table = Kept(make, 10_000)
+    assert [table[1, 2], table[3, 4], table[1, 2]] == [(1, 2), (3, 4), (1, 2)]
+    assert asked == [(1, 2), (3, 4)]
+
+
+def test_the_oldest_go_where_all_together_are_too_large() -> None:
+    table = Kept(lambda size: (np.zeros(size, np.uint8), (np.zeros(size, np.uint8), 5)), 10_000)
+    for size in (1001, 1002, 1003, 1):
+        assert len(table[size,][0]) == size
+    assert list(table) == [(1002,), (1003,), (1,)]
+    assert 4000 < table.bytes <= 10_000
+
+
+def test_what_is_too_large_itself_is_not_kept() -> None:
+    table = Kept(lambda size: (np.zeros(size, np.uint8),), 10_000)
+    table[5,]
+    assert len(table[10_001,][0]) == 10_001
+    assert not table and table.bytes == 0
