@@ -21,7 +21,7 @@ from surfaces.modes import MODES, draw, draw_contours, draw_floor
 from surfaces.scene import Plot
 from surfaces.shape.fields import Color, fields
 from surfaces.shape.grid import Grid, in_order
-from surfaces.shape.rulers import Rulers, rulers
+from surfaces.shape.rulers import PLAIN, Rulers, rulers
 from surfaces.shape.sampling import Axis, Function, Interval, Table, is_table, real
 from surfaces.space.mapping import Projection
 from surfaces.systems.colors import Ramp
@@ -139,7 +139,7 @@ def surface(
     on_surface, on_floor = checks.levels("contours", contours), checks.levels("floor", floor)
     laid_out = rulers(look.log, x, y)
     grids = _grids(f, x, y, n, z, laid_out)
-    color = _in_order(color, f, x, y)
+    color = _in_order(color, f, laid_out[0].axis(x, "x"), laid_out[1].axis(y, "y"))
     _check_seen(mode, grids)
     stage = look.stage(mode, _around(grids), grids[0].z.shape, transform, mapping, laid_out)
     shown = fields(_in_places(color, laid_out), grids, stage.moved)
@@ -189,6 +189,8 @@ def _grids(
 
 def _placed(grid: Grid, laid_out: Rulers) -> Grid:
     """A grid of numbers in places of their rulers."""
+    if laid_out == PLAIN:
+        return grid  # itself, with all that it knows already
     along_x, along_y, up = laid_out
     heights = up.place(grid.z, "f")
     if np.isnan(heights).all():

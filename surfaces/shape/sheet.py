@@ -71,7 +71,8 @@ class Sheet:
         parts = _placed((x, y, z), laid_out)
         shapes = [part.shape for part in parts]
         if len(set(shapes)) > 1:
-            raise ValueError("x, y and z must have one shape, not {}, {} and {}".format(*shapes))
+            told = "x, y and z must have one shape, not {}, {} and {}; of axes meshgrid makes such"
+            raise ValueError(told.format(*shapes))
         if len(shapes[0]) != 2 or min(shapes[0]) < 2:
             raise ValueError(f"x, y and z must be 2 x 2 numbers or more, not {shapes[0]}")
         points = _stacked(parts)

@@ -222,6 +222,10 @@ def test_dates_may_fall_and_may_be_those_of_meshgrid() -> None:
     surface(HEIGHTS[::-1], DAYS[::-1], HOURS, on=falling)
     surface(HEIGHTS, *np.meshgrid(DAYS, HOURS, indexing="ij"), on=grids)
     assert (falling.array == expected.array).all()
+    colored, turned = Canvas(120, 90), Canvas(120, 90)
+    dated(colored, color=HEIGHTS**2)
+    surface(HEIGHTS[::-1], DAYS[::-1], HOURS, color=HEIGHTS[::-1] ** 2, on=turned)
+    assert (turned.array == colored.array).all()
     assert (grids.array == expected.array).all()
 
 
