@@ -246,7 +246,7 @@ def _axes_of_meshgrid(x: Doubles, y: Doubles, values: Doubles) -> tuple[Doubles,
 def _axis(name: str, axis: Axis | None, count: int) -> Doubles:
     if axis is None:
         return np.arange(count, dtype=np.float64)
-    places = real(axis, name)
+    places = np.atleast_1d(real(axis, name))
     if places.shape == (2,) and np.isfinite(places).all():
         places = np.linspace(places[0], places[1], count)
     steps = np.diff(places)

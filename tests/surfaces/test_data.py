@@ -58,6 +58,7 @@ def test_a_grid_is_taken_as_it_is() -> None:
         ([[1, 2, 3]], {}, "2 x 2 numbers or more"),
         (np.ones((3, 3)), {"x": (0, 1, 1)}, r"x must be \(a, b\) or 3 rising or falling numbers"),
         (np.ones((3, 3)), {"y": (0, 2, 1)}, r"y must be \(a, b\) or 3 rising or falling numbers"),
+        (np.ones((3, 3)), {"x": 3}, r"x must be \(a, b\) or 3 rising or falling numbers"),
         (np.ones((3, 3)), {"y": (0, 1, 2, 3)}, r"y must be \(a, b\) or 3 rising"),
         (np.ones((3, 3)), {"x": (0, math.inf)}, r"x must be \(a, b\) or 3"),
         (np.full((3, 3), np.nan), {}, "no finite value"),
