@@ -46,6 +46,7 @@ def biostime(cmd: Number, newtime: Number = 0) -> int:
     """
     if whole("cmd", cmd) != 0:
         raise ValueError(f"cmd must be 0: the clock can be read, not set; got {brief(cmd)}")
+    whole("newtime", newtime)
     now = current.now()
     day = moment.local(now)
     return int(((day.tm_hour * 60 + day.tm_min) * 60 + day.tm_sec + now % 1) * moment.TICKS)

@@ -127,6 +127,10 @@ def clock() -> int:
 # Sound
 
 
+MAX_FREQUENCY = 0xFFFF
+"""C's largest unsigned number: nobody hears what is above."""
+
+
 def sound(frequency: Number) -> None:
     """Sound the speaker at a frequency in hertz, until nosound(); returns at once.
 
@@ -134,7 +138,7 @@ def sound(frequency: Number) -> None:
     is no sound card or no window nothing is heard. Raises BGIError before initgraph, for it is the
     window that plays. Source: dos.h.
     """
-    current.screen.monitor.sound(max(whole("frequency", frequency), 0))
+    current.screen.monitor.sound(min(max(whole("frequency", frequency), 0), MAX_FREQUENCY))
 
 
 def nosound() -> None:

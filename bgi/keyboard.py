@@ -7,6 +7,7 @@ at once, and for as long as the player likes.
 from __future__ import annotations
 
 from bgi import current
+from bgi.kernel.arguments import check_text
 from bgi.monitor.keycodes import key_named
 
 __all__ = ["pressed"]
@@ -24,6 +25,5 @@ def pressed(key: str) -> bool:
     beside this. Raises ValueError for what is not a key, and what kbhit() raises. Windows has it as
     GetAsyncKeyState().
     """
-    if not isinstance(key, str):
-        raise TypeError(f"key must be a str, not {type(key).__name__}: {key!r:.60}")
+    check_text("key", key)
     return key_named(key) in current.screen.monitor.keys.held

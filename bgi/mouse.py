@@ -74,7 +74,7 @@ def set_position(x: Number, y: Number) -> None:
     """Move the pointer to x, y, or as near as the ranges allow (AX = 4)."""
     mode, mouse = current.shown(), current.screen.monitor.mouse
     place = whole("x", x), whole("y", y)
-    mouse.move(min(max(place[0], 0), mode.width - 1), min(max(place[1], 0), mode.height - 1))
+    mouse.move(_within(place[0], mode.width), _within(place[1], mode.height))
 
 
 def presses(button: Number) -> Count:
@@ -95,18 +95,16 @@ def releases(button: Number) -> Count:
 
 def set_horizontal_range(low: Number, high: Number) -> None:
     """Keep the pointer's x from low to high, in either order; moves it there at once (AX = 7)."""
-    left, right = sorted((whole("low", low), whole("high", high)))
+    left, right = _range(low, high, current.shown().width)
     _, top, _, bottom = _limits()
-    width = current.shown().width
-    current.screen.monitor.mouse.limit(max(left, 0), top, min(right, width - 1), bottom)
+    current.screen.monitor.mouse.limit(left, top, right, bottom)
 
 
 def set_vertical_range(low: Number, high: Number) -> None:
     """Keep the pointer's y from low to high, in either order; moves it there at once (AX = 8)."""
-    top, bottom = sorted((whole("low", low), whole("high", high)))
+    top, bottom = _range(low, high, current.shown().height)
     left, _, right, _ = _limits()
-    height = current.shown().height
-    current.screen.monitor.mouse.limit(left, max(top, 0), right, min(bottom, height - 1))
+    current.screen.monitor.mouse.limit(left, top, right, bottom)
 
 
 def mickeys() -> tuple[int, int]:
@@ -145,6 +143,17 @@ def on_event(mask: Number, handler: Callable[[int, int, int, int], object] | Non
     handlers[0] = lambda event: (
         handler(event.event, event.buttons, event.x, event.y) if event.event & wanted else None
     )
+
+
+def _range(low: Number, high: Number, size: int) -> tuple[int, int]:
+    """A range in either order, as far as it lies on a screen of that size."""
+    ends = _within(whole("low", low), size), _within(whole("high", high), size)
+    return min(ends), max(ends)
+
+
+def _within(place: int, size: int) -> int:
+    """The place on a screen of that size which is nearest."""
+    return min(max(place, 0), size - 1)
 
 
 def _limits() -> tuple[int, int, int, int]:

@@ -109,6 +109,7 @@ def drawpoly(points: Numbers, flat: Numbers | None = None, color: Numbers | None
         color: their colour, or n colours; the drawing colour if None.
 
     Back at its first point the figure ends, and the next point begins another. Draws as line().
+    ValueError, and nothing is drawn, for more than 16,777,216 numbers.
     """
     current.screen.drawpoly(points, flat, color)
 

@@ -47,8 +47,8 @@ def setfillpattern(pattern: bytes | Sequence[Number], color: Number) -> None:
         pattern: eight bytes, the top row first, its highest bit leftmost.
         color: 0..getmaxcolor().
 
-    graphresult() says -11, and nothing changes, for an unknown colour; ValueError unless there are
-    eight bytes.
+    graphresult() says -11, and nothing changes, for an unknown colour; ValueError for more or less
+    than eight numbers. Of each the low byte counts.
     """
     current.screen.setfillpattern(pattern, color)
 
@@ -112,7 +112,7 @@ def fillpoly(
     Even-odd rule; back at its first point the figure ends, and the next point begins another.
     Rows are filled from the topmost to the one above the lowest, both ends included, so that a
     pixel may stick out of the outline, as in the original. EMPTY_FILL fills nothing. The outline
-    is drawn as by line().
+    is drawn as by line(). ValueError, and nothing is drawn, for more than 16,777,216 numbers.
     """
     current.screen.fillpoly(points, flat, fill, color)
 

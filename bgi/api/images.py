@@ -45,7 +45,8 @@ def getimage(
         buffer: as in C, a writable buffer of imagesize() bytes that is filled as well.
 
     The image has .width, .height and .array, indices of shape (height, width); bytes(image) is
-    Borland's layout, bgi.Image.frombytes() reads it. ValueError for a short buffer.
+    Borland's layout, bgi.Image.frombytes() reads it. ValueError for a short buffer, and for more
+    than 67,108,864 pixels.
     """
     return current.screen.getimage(left, top, right, bottom, buffer)
 
@@ -64,7 +65,8 @@ def putimage(
     Not clipped by the viewport. Nothing is drawn if any part would lie left of the screen, above it
     or right of it; only its bottom edge cuts an image off, as in the original. In a window of
     initwindow() every edge does, as in WinBGIm. graphresult() says -11 for another op; ValueError
-    for too few bytes.
+    for too few bytes. In Borland's layout an image has at most 65,536 pixels a side; `Image(array)`
+    takes 16,777,216 pixels.
     """
     current.screen.putimage(left, top, image, op)
 

@@ -190,7 +190,7 @@ def setallpalette(palette: palettetype | Sequence[Number]) -> None:
         palette: a palettetype, or hardware colours for colour 0, 1, ...; -1 leaves one as it is.
             All of them may stand behind their number, as in C's struct: 16, then 16 colours.
 
-    Each is set as by setpalette().
+    Each is set as by setpalette(). ValueError, and nothing changes, for more than 256 colours.
     """
     current.screen.setallpalette(palette)
 

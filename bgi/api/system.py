@@ -21,7 +21,7 @@ from bgi.constants import (
     grOk,
 )
 from bgi.errors import BGIWarning, brief
-from bgi.kernel.arguments import Number, check_function, check_text, flag, whole
+from bgi.kernel.arguments import Number, check_function, check_text, flag, octets, whole
 from bgi.kernel.drivers import Detect
 from bgi.kernel.state import KERNEL
 
@@ -291,3 +291,5 @@ def _graphfreemem(block: bytearray, size: Number) -> None:
         block: what _graphgetmem() returned.
         size: its size; Python frees it when nobody holds it any more.
     """
+    octets("block", block)
+    whole("size", size)

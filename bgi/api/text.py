@@ -74,7 +74,7 @@ def outtext(text: str | bytes) -> None:
     """Write at the current position.
 
     It moves on by the width of the text if that is level and LEFT_TEXT. Otherwise as outtextxy();
-    it takes the same `text`.
+    it takes the same `text`, with the same limit.
     """
     current.screen.outtext(text)
 
@@ -98,7 +98,8 @@ def outtextxy(x: Number, y: Number, text: str | bytes) -> None:
 def textwidth(text: str | bytes) -> int:
     """Return the width of a text in pixels, in the font and size in use.
 
-    Drawn stroked text can be a little narrower, as in the original.
+    Drawn stroked text can be a little narrower, as in the original. A stroked text has at most
+    65,536 characters; ValueError for more.
     """
     return current.screen.textwidth(text)
 
@@ -106,6 +107,6 @@ def textwidth(text: str | bytes) -> int:
 def textheight(text: str | bytes) -> int:
     """Return the height of a text in pixels, the same for every text.
 
-    It depends on the font and size in use.
+    It depends on the font and size in use, and so may be asked of a text of any length.
     """
     return current.screen.textheight(text)

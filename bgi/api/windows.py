@@ -55,7 +55,7 @@ def initwindow(
     double = flag("dbflag", dbflag)
     flag("closeflag", closeflag)
     if not all(0 < side <= MAX_SIDE for side in size):
-        raise ValueError(f"a window may be 1..{MAX_SIDE} pixels wide and high, not {brief(size)}")
+        raise ValueError(f"width and height must be 1..{MAX_SIDE} pixels, not {brief(size)}")
     number = current.open_window(window(*size), title)
     if double:
         current.screen.setactivepage(1)

@@ -11,6 +11,7 @@ import time
 from functools import lru_cache
 
 from bgi.constants import grError, grFontNotFound, grInvalidFont, grInvalidFontNum, grIOerror
+from bgi.errors import brief
 from bgi.fonts import read
 from bgi.fonts.chr import MAX_BYTES, FontError, StrokedFont, parse
 
@@ -69,7 +70,7 @@ class FontTable:
         file, -12 a file that cannot be read.
         """
         if not 1 <= number <= len(self._names):
-            raise FontError(f"No font has the number {number}.", grInvalidFontNum)
+            raise FontError(f"No font has the number {brief(number)}.", grInvalidFontNum)
         if number in self._registered:
             return self._registered[number]
         folder, stem = os.path.split(self._names[number - 1])

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.constants import COPY_PUT, NOT_PUT, grError
+from bgi.errors import brief
 from bgi.graphics.screen import State
-from bgi.kernel.arguments import Number, whole
+from bgi.kernel.arguments import Number, octets, whole
 from bgi.kernel.state import KERNEL
 from bgi.memory.image import Image, byte_size
 from bgi.memory.imagefile import MAX_PIXELS, Picture, load, png, save
@@ -50,7 +51,8 @@ class Images(State):
         width, height = x2 - x1 + 1, y2 - y1 + 1
         if width * height > MAX_PIXELS:
             raise ValueError(
-                f"an image of {width}x{height} pixels is too large: {MAX_PIXELS:,} at most"
+                f"left, top, right, bottom may hold {MAX_PIXELS:,} pixels at most,"
+                f" not {brief(width)} x {brief(height)}"
             )
         taken = self.page.copy(x1 + self._dx, y1 + self._dy, width, height)
         image = Image.of_screen(taken, self.mode.colors, self.card.palette.copy())
@@ -153,12 +155,7 @@ def _seen(start: int, length: int, kept: int, size: int) -> tuple[int, NDArray[n
 
 def _store(data: bytes, buffer: bytearray | memoryview) -> None:
     """Copy into the caller's buffer, as getimage() does in C."""
-    try:
-        view = memoryview(buffer).cast("B")
-    except TypeError:
-        raise TypeError(
-            f"buffer must be a bytearray or another writable buffer, not {type(buffer).__name__}"
-        ) from None
+    view = octets("buffer", buffer)
     if view.readonly:
         raise TypeError("buffer must be writable; bytes are not: use bytearray(imagesize(...))")
     if len(view) < len(data):

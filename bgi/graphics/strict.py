@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from bgi.constants import grError
+from bgi.errors import brief
 from bgi.graphics import Graphics
 from bgi.kernel.arguments import Numbers, broadcast, is_array, whole, whole_array
 from bgi.kernel.hints import COLORS
@@ -48,18 +49,24 @@ class Strict:
         for one in np.stack(broadcast(x=x, y=y, border=border), axis=-1).tolist():
             if self._screen._overflows(*one):
                 reached = f"the area around {one[0]}, {one[1]} reaches all sides of the viewport"
-                KERNEL.result.set(grError, f"{reached}: no outline in color {one[2]} is closed")
+                KERNEL.result.set(
+                    grError, f"{reached}: no outline in color {brief(one[2])} is closed"
+                )
             self._screen.floodfill(*one)
 
     def _look_at(self, name: str, color: Numbers, background: bool = False) -> None:
-        numbers = whole_array(name, color).ravel() if is_array(color) else [whole(name, color)]
+        numbers = (
+            whole_array(name, color).ravel().tolist() if is_array(color) else [whole(name, color)]
+        )
         mode = self._screen.mode
         last = max(mode.maxcolor, 15) if background else mode.maxcolor
         window = mode.pixel_bytes == 4
         for number in numbers:
             if not (0 <= number <= last or (window and number >> 24 == rgb.TAG >> 24)):
                 others = " and COLOR(red, green, blue)" if window else ""
-                KERNEL.result.set(grError, f"there is no {name} {number}, only 0 to {last}{others}")
+                KERNEL.result.set(
+                    grError, f"there is no {name} {brief(number)}, only 0 to {last}{others}"
+                )
 
 
 @cache

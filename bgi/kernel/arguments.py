@@ -7,6 +7,7 @@ in order.
 """
 
 import operator
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from math import trunc
@@ -65,12 +66,13 @@ def whole(name: str, value: object) -> int:
     except NOT_SO_SIMPLE:
         pass
     if isinstance(value, np.ndarray) and value.ndim == 0:
+        _check_mask(name, value)
         value = value.item()
     try:
         return operator.index(value)  # type: ignore[arg-type]
     except TypeError:
         pass
-    if not isinstance(value, (float, np.floating)):
+    if not isinstance(value, (float, np.floating, np.bool_)):
         hint = for_argument(name, value)
         kind = type(value).__name__
         raise TypeError(f"{name} must be a number, not {kind}: {brief(value)}{hint}")
@@ -81,7 +83,7 @@ def whole(name: str, value: object) -> int:
 
 def flag(name: str, value: object) -> bool:
     """Yes or no, as a bool or a number; TypeError or ValueError names the argument."""
-    return bool(value) if isinstance(value, np.bool_) else whole(name, value) != 0
+    return whole(name, value) != 0
 
 
 def length(name: str, values: object) -> int:
@@ -93,6 +95,19 @@ def length(name: str, values: object) -> int:
             return len(values)
     kind = type(values).__name__
     raise TypeError(f"{name} must be a sequence of numbers, not {kind}: {brief(values)}")
+
+
+def octets(name: str, value: object) -> memoryview:
+    """The memory of bytes, of a bytearray or the like, not copied; else TypeError names it.
+
+    Arrays of numbers are refused, of Python's objects above all: their memory is none of ours.
+    """
+    with suppress(TypeError, ValueError):  # ValueError: numpy has numbers that no buffer can hold
+        memory = memoryview(value)  # type: ignore[arg-type]
+        if memory.ndim == memory.itemsize == 1:
+            return memory
+    kind = type(value).__name__
+    raise TypeError(f"{name} must be bytes, not {kind}: {brief(value)}")
 
 
 def check_function(name: str, value: object) -> None:
@@ -111,6 +126,7 @@ def check_text(name: str, value: object) -> None:
 def real(name: str, value: object) -> int | float:
     """One number as it is, an int of any size or a float; TypeError names the argument."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
+        _check_mask(name, value)
         value = value.item()
     if isinstance(value, (float, np.floating)):
         return float(value)
@@ -128,7 +144,8 @@ def is_array(value: object) -> bool:
 
 def whole_array(name: str, values: object) -> NDArray[Any]:
     """An array of whole numbers: int64, or Python ints (dtype object) where any reaches LIMIT."""
-    _check_count(name, _count(values))
+    check_count(name, values)
+    _check_mask(name, values)
     try:
         array = np.asarray(values)
     except ValueError:
@@ -153,7 +170,9 @@ def whole_array(name: str, values: object) -> NDArray[Any]:
 def _count(values: object) -> int:
     """How many numbers there are in an array, or in sequences within each other."""
     count, ranges = 1, 0
-    while isinstance(values, (list, tuple)) and values and count <= MAX_NUMBERS:
+    for _ in range(MAX_DIMENSIONS + 1):  # deeper ones are refused; a list may hold itself
+        if not isinstance(values, (list, tuple)) or not values or count > MAX_NUMBERS:
+            break
         count *= len(values)
         ranges = max([ranges, *(_range_length(one) for one in values if type(one) is range)])
         values = values[0]
@@ -167,10 +186,18 @@ def _range_length(values: range) -> int:
     return len(values[: MAX_NUMBERS + 1])
 
 
-def _check_count(name: str, count: int) -> None:
+def check_count(name: str, values: object) -> None:
     """ValueError, which names the argument, for more numbers than a call takes."""
-    if count > MAX_NUMBERS:
+    if _count(values) > MAX_NUMBERS:
         raise ValueError(f"{name} may hold {MAX_NUMBERS:,} numbers at most in one call")
+
+
+def _check_mask(name: str, values: object) -> None:
+    """ValueError, which names the argument, for numbers that numpy.ma has taken out."""
+    if "numpy.ma" not in sys.modules:  # which takes long to import: nobody has masked anything
+        return
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise ValueError(f"{name} must hold no masked numbers")
 
 
 def broadcast(**arguments: object) -> list[NDArray[Any]]:
@@ -183,7 +210,7 @@ def broadcast(**arguments: object) -> list[NDArray[Any]]:
             f"{name} {array.shape}" for name, array in zip(arguments, arrays, strict=True)
         )
         raise ValueError(f"the arrays do not go together: {shapes}") from None
-    _check_count(", ".join(arguments), together[0].size)
+    check_count(", ".join(arguments), together[0])
     return [array.ravel() for array in together]
 
 
@@ -204,7 +231,8 @@ def polygon_points(points: object, flat: object) -> list[tuple[int, int]] | NDAr
         count = whole("points", points)
         numbers = whole_array("flat", flat).ravel().tolist()
         if not 0 <= 2 * count <= len(numbers):
-            raise ValueError(f"{count} points need {2 * count} numbers, not {len(numbers)}")
+            needed = f"{brief(2 * count)} numbers for {brief(count)} points"
+            raise ValueError(f"points and flat: {needed}, not {len(numbers)}")
         return list(zip(numbers[0 : 2 * count : 2], numbers[1 : 2 * count : 2], strict=True))
     if type(points) is list or type(points) is tuple:
         with suppress(TypeError, ValueError):  # anything but pairs of ints goes the longer way

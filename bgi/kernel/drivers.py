@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from bgi.constants import grError, grInvalidDriver
 from bgi.kernel import modes
+from bgi.kernel.arguments import whole
 from bgi.kernel.modes import GraphicsMode
 
 Detect = Callable[[], int]
@@ -62,7 +63,7 @@ class DriverTable:
     def autodetect(self) -> tuple[int, int] | None:
         """Ask the installed drivers, in order; the first that finds its adapter, and its mode."""
         for number, detect in enumerate(self._installed.values(), FIRST_INSTALLED):
-            mode = detect() if detect else -1
+            mode = whole("detect's answer", detect()) if detect else -1
             if mode >= 0:
                 return number, mode
         return None

@@ -12,12 +12,15 @@ COLORS = {"color", "fill", "border"}
 
 CLOSE = 0.8  # from 0 to 1: how much a word must be like the name of a constant
 
+LONGEST = 40
+"""Characters of a text that may be a constant in quotes: it is compared with each of them."""
+
 _NAMES = {name.replace("_", ""): name for name in vars(constants) if name.isupper()}
 
 
 def for_argument(name: str, value: object) -> str:
     """A hint for an argument that is no number; empty if there is none."""
-    if isinstance(value, str):
+    if isinstance(value, str) and len(value) <= LONGEST:
         word = re.sub(r"[\W_]", "", value).upper()
         import difflib  # late, as most programs make no mistake
 

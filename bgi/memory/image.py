@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.errors import brief
+from bgi.kernel.arguments import check_count, octets
 from bgi.memory.imagefile import png
 from bgi.memory.palette import DEFAULTS
 
@@ -59,6 +60,7 @@ class Image:
 
     def __post_init__(self) -> None:
         """Refuse what is not an image; ValueError or TypeError says why."""
+        check_count("array", self.array)
         array = np.asarray(self.array)
         if array.dtype.kind not in "ui":
             raise TypeError(f"an image's array must hold integers, not {array.dtype}")
@@ -121,13 +123,10 @@ class Image:
 
         ValueError if the data end before the image does, or for another number of colours.
         """
-        try:
-            block = bytes(memoryview(data))
-        except TypeError:
-            raise TypeError(f"an image must be bytes, not {type(data).__name__}") from None
+        block = octets("image", data)
         if len(block) < _HEADER.size:
             raise ValueError(f"an image needs a header of 4 bytes, not {len(block)} bytes")
-        width, height = (side + 1 for side in _HEADER.unpack_from(block))
+        width, height = (side + 1 for side in _HEADER.unpack(block[: _HEADER.size].tobytes()))
         _check_colors(colors)
         planes, bits = row_layout(colors)
         needed = byte_size(width, height, colors) - len(_TRAILER)
@@ -136,7 +135,7 @@ class Image:
                 f"an image of {width}x{height} in {colors} colours needs {needed} bytes,"
                 f" not {len(block)}"
             )
-        rows = np.frombuffer(block, np.uint8, needed - _HEADER.size, _HEADER.size)
+        rows = np.frombuffer(block[_HEADER.size : needed].tobytes(), np.uint8)
         every = np.unpackbits(rows.reshape(height, planes, -1), axis=2)[:, :, : width * bits]
         every = every.transpose(0, 2, 1) if planes > 1 else every.reshape(height, width, bits)
         weights = 1 << np.arange(planes * bits - 1, -1, -1)

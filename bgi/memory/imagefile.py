@@ -94,15 +94,24 @@ def save(filename: Filename, pixels: NDArray[Any], palette: Colors) -> None:
 
 
 def path_of(filename: Filename) -> Path:
-    """A file's name as a path; TypeError for what is none, such as an int: C's descriptors."""
+    """A file's name as a path; TypeError for what is none, such as an int: C's descriptors.
+
+    ValueError for a name that no file can have.
+    """
     from pathlib import Path  # late, as it takes a while
 
     try:
-        return Path(os.fsdecode(os.fspath(filename)))
+        name = os.fsdecode(os.fspath(filename))
+        possible = name != "" and b"\0" not in os.fsencode(name)
     except TypeError:
         raise TypeError(
             f"filename must be a str or a path, not {type(filename).__name__}: {brief(filename)}"
         ) from None
+    except UnicodeError:
+        possible = False
+    if not possible:
+        raise ValueError(f"filename must be what a file can be called, not {brief(filename)}")
+    return Path(name)
 
 
 # Reading

@@ -8,6 +8,7 @@ pygame's keys into these bytes; `bios_code` makes of them what the BIOS knew a k
 import sys
 from collections.abc import Iterable
 
+from bgi.errors import brief
 from bgi.memory.sdl import pygame
 
 _PLAIN, _SHIFT, _CTRL, _ALT = range(4)
@@ -170,7 +171,7 @@ def key_named(word: str) -> str:
     if name in KEYSTROKES:
         return name
     raise ValueError(
-        f"{word!r} is not a key: write a single character, Esc, Enter, Space, Tab, Backspace, "
+        f"{brief(word)} is not a key: write a single character, Esc, Enter, Space, Tab, Backspace, "
         "Up, Down, Left, Right, Home, End, PgUp, PgDn, Ins, Del, F1 to F12, Shift, Ctrl or Alt"
     )
 

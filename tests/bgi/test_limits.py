@@ -284,3 +284,40 @@ def test_a_text_of_large_letters_is_drawn() -> None:
 def test_letters_of_the_fonts_that_come_along_are_kept(number: int) -> None:
     font = KERNEL.fonts.load(number, "")
     assert font is not None and 0 < font.longest <= layout.KEPT_STROKES
+
+
+# Memory of others
+
+
+def test_a_buffer_of_objects_is_left_alone() -> None:
+    objects = np.array([object()] * 9)
+    kept = objects.tolist()
+    with pytest.raises(TypeError, match=r"^buffer must be bytes, not ndarray: "):
+        bgi.getimage(0, 0, 0, 0, objects)
+    assert objects.tolist() == kept
+
+
+def test_an_image_of_a_billion_bytes_is_read_where_it_lies() -> None:
+    block = np.broadcast_to(np.uint8(1), BILLION)  # 258 x 258 pixels, every eighth one WHITE
+    bgi.putimage(0, 0, block, bgi.COPY_PUT)
+    assert [bgi.getpixel(x, 257) for x in (6, 7, 8, 255)] == [0, bgi.WHITE, 0, bgi.WHITE]
+    assert bgi.getpixel(7, 258) == 0
+
+
+def test_an_image_holds_no_more_than_a_screen() -> None:
+    for array in (np.broadcast_to(np.uint8(5), (10**5, 10**5)), [range(BILLION)]):
+        with pytest.raises(ValueError, match=r"^array may hold 16,777,216 numbers at most"):
+            bgi.Image(array)
+
+
+def test_strict_mode_has_words_for_numbers_too_long_to_be_written() -> None:
+    with bgi.strict(), pytest.raises(bgi.GraphicsError, match="no color <a whole number of 16610"):
+        bgi.setcolor(10**5000)
+
+
+@pytest.mark.parametrize("answer", ["3", None, float("nan")])
+def test_the_answer_of_a_detecting_function_is_a_number(answer: object) -> None:
+    bgi.installuserdriver("SVGA256", lambda: answer)  # type: ignore[return-value]
+    with pytest.raises((TypeError, ValueError), match=r"^detect's answer must be a "):
+        bgi.initgraph()
+    assert bgi.getmaxx() == 639
