@@ -46,15 +46,20 @@ class Images(State):
         buffer: bytearray | memoryview | None = None,
     ) -> Image:
         """Copy a rectangle of the active page."""
-        x1, x2 = sorted((whole("left", left), whole("right", right)))
-        y1, y2 = sorted((whole("top", top), whole("bottom", bottom)))
-        width, height = x2 - x1 + 1, y2 - y1 + 1
+        if not type(left) is type(top) is type(right) is type(bottom) is int:
+            left, top = whole("left", left), whole("top", top)
+            right, bottom = whole("right", right), whole("bottom", bottom)
+        if left > right:
+            left, right = right, left
+        if top > bottom:
+            top, bottom = bottom, top
+        width, height = right - left + 1, bottom - top + 1
         if width * height > MAX_PIXELS:
             raise ValueError(
                 f"left, top, right, bottom may hold {MAX_PIXELS:,} pixels at most,"
                 f" not {brief(width)} x {brief(height)}"
             )
-        taken = self.page.copy(x1 + self._dx, y1 + self._dy, width, height)
+        taken = self.page.copy(left + self._dx, top + self._dy, width, height)
         image = Image.of_screen(taken, self.mode.colors, self.card.palette.copy())
         if buffer is not None:
             _store(bytes(image), buffer)
@@ -65,14 +70,15 @@ class Images(State):
 
         In a window, which is WinBGIm's, every edge may.
         """
-        x, y, operator = whole("left", left), whole("top", top), whole("op", op)
+        if not type(left) is type(top) is type(op) is int:
+            left, top, op = whole("left", left), whole("top", top), whole("op", op)
         if not isinstance(image, Image):
             image = Image.frombytes(image, self.mode.colors)
-        x, y = x + self._dx, y + self._dy
-        if not COPY_PUT <= operator <= NOT_PUT:
+        x, y, array = left + self._dx, top + self._dy, image.array
+        if not COPY_PUT <= op <= NOT_PUT:
             KERNEL.result.set(grError)
-        elif self.mode.is_window or (x >= 0 and y >= 0 and x + image.width <= self.mode.width):
-            self.page.combine(x, y, image.array, operator, self._mask)
+        elif self.mode.is_window or (x >= 0 and y >= 0 and x + array.shape[1] <= self.mode.width):
+            self.page.combine(x, y, array, op, self._bits)
 
     def readimagefile(
         self,
@@ -92,7 +98,7 @@ class Images(State):
         if len(seen_rows) and len(seen_columns):
             part = picture.part(seen_rows, seen_columns)
             under = self.page.copy(x, y, len(seen_columns), len(seen_rows))
-            self.page.combine(x, y, self._matched(part, under), COPY_PUT, self._mask)
+            self.page.combine(x, y, self._matched(part, under), COPY_PUT, self._bits)
 
     def _matched(self, picture: Picture, under: NDArray[Any]) -> NDArray[Any]:
         """A picture in this screen's numbers, laid over the pixels that are there."""

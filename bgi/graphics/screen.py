@@ -68,6 +68,7 @@ class State:
         self._packed, self._tall_text = mode.file.packed, mode.file.tall_text
         kind = PackedPage if self._packed else Page
         self.pages = [kind(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
+        self._bits = self.pages[0].flat.dtype.type(self._mask)
         self.palette = Palette(mode, self.card.palette)
         self.aspect = mode.xasp, YASP
         self._active = 0

@@ -75,9 +75,10 @@ class Image:
     @classmethod
     def of_screen(cls, array: NDArray[Any], colors: int, palette: NDArray[np.uint8]) -> Image:
         """An image of pixels that come from a page: they need no check."""
-        image = object.__new__(cls)
-        for name, value in (("array", array), ("colors", colors), ("palette", palette)):
-            object.__setattr__(image, name, value)
+        image, put = object.__new__(cls), object.__setattr__  # frozen: its own would refuse
+        put(image, "array", array)
+        put(image, "colors", colors)
+        put(image, "palette", palette)
         return image
 
     @property

@@ -110,6 +110,8 @@ class Pixmap:
 
     def copy(self, x: int, y: int, width: int, height: int) -> Pixels:
         """A copy of the pixels from x, y on, wherever the clipping box is; 0 off the page."""
+        if x >= 0 and y >= 0 and x + width <= self.width and y + height <= self.height:
+            return self.array[y : y + height, x : x + width].copy()
         taken = np.zeros((height, width), dtype=self.flat.dtype)
         found = overlap(x, y, taken.shape, self._all)
         if found:
@@ -117,13 +119,17 @@ class Pixmap:
             taken[there] = self.array[here]
         return taken
 
-    def combine(self, x: int, y: int, image: Pixels, op: int, mask: int) -> None:
-        """Put an image with its corner at x, y by a putimage operator, cut at the page's edges."""
-        found = overlap(x, y, image.shape, self._all)
-        if found:
+    def combine(self, x: int, y: int, image: Pixels, op: int, mask: Any) -> None:
+        """Put an image with its corner at x, y by a putimage operator, cut at the page's edges.
+
+        `mask` has the bits that a pixel may have, as a number of the page.
+        """
+        height, width = image.shape
+        if x >= 0 and y >= 0 and x + width <= self.width and y + height <= self.height:
+            OPERATORS[op](self.array[y : y + height, x : x + width], image, mask)
+        elif found := overlap(x, y, image.shape, self._all):
             here, there = found
-            bits = self.flat.dtype.type(mask)
-            OPERATORS[op](self.array[here], image[there] & bits, bits)
+            OPERATORS[op](self.array[here], image[there], mask)
 
     def clear(self) -> None:
         """The whole page becomes index 0, whatever the clipping box."""

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 import bgi
 from bgi import Image, current
 from bgi.kernel.state import KERNEL
+from bgi.memory.page import Page
 from tests.pictures import read_indices
 
 
@@ -215,3 +216,36 @@ def test_writeimagefile(tmp_path):
         bgi.writeimagefile(tmp_path / "no" / "folder.png")
     (tmp_path / "shut").mkdir()
     assert not (tmp_path / "none.png").exists()
+
+
+@pytest.mark.parametrize("pixel_bytes", [1, 4])
+@settings(deadline=None, max_examples=60)
+@given(
+    x=st.integers(-12, 40), y=st.integers(-12, 30), op=st.integers(0, 4), seed=st.integers(0, 99)
+)
+def test_a_page_is_copied_and_combined_pixel_by_pixel(pixel_bytes, x, y, op, seed):
+    rng = np.random.default_rng(seed)
+    page = Page(memoryview(bytearray(32 * 24 * pixel_bytes)), 32, 24, pixel_bytes)
+    page.array[:] = before = rng.integers(0, 16, (24, 32))
+    taken = page.copy(x, y, 9, 7)
+    image = rng.integers(0, 256, (7, 9)).astype(page.array.dtype)
+    mask = 15
+    page.combine(x, y, image, op, page.array.dtype.type(mask))
+    expected = before.copy()
+    operators = [
+        lambda there, put: put,
+        lambda there, put: there ^ put,
+        lambda there, put: there | put,
+        lambda there, put: there & put,
+        lambda there, put: put ^ mask,
+    ]
+    for row, column in np.ndindex(7, 9):
+        if 0 <= y + row < 24 and 0 <= x + column < 32:
+            there = before[y + row, x + column]
+            assert taken[row, column] == there
+            put = int(image[row, column]) & mask
+            expected[y + row, x + column] = operators[op](there, put)
+        else:
+            assert taken[row, column] == 0
+    assert (page.array == expected).all()
+    assert (page.copy(0, 0, 32, 24) == expected).all()
