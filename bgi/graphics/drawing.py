@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -46,11 +44,13 @@ class Drawing(Pen):
 
     def getlinesettings(self) -> linesettingstype:
         """Line style, pattern and thickness as given."""
-        return replace(self.settings.line)
+        line = self.settings.line
+        return linesettingstype(line.linestyle, line.upattern, line.thickness)
 
     def setwritemode(self, mode: Number) -> None:
         """COPY_PUT or XOR_PUT for lines; only bit 0 counts, as in Borland's driver."""
-        self.settings.writemode = whole("mode", mode) & 1
+        number = mode if type(mode) is int else whole("mode", mode)
+        self.settings.writemode = number & 1
         self._use_line_settings()
 
     # Pixels

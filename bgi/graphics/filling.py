@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -52,7 +51,8 @@ class Filling(Pen):
 
     def getfillsettings(self) -> fillsettingstype:
         """Fill pattern and colour as given."""
-        return replace(self.settings.fill)
+        fill = self.settings.fill
+        return fillsettingstype(fill.pattern, fill.color)
 
     # Boxes
 

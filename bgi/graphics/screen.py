@@ -7,7 +7,6 @@ methods are calls of graphics.h; `bgi.api.screen` says what each means.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 from bgi.constants import COPY_PUT, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
@@ -88,14 +87,14 @@ class State:
 
     def _use_viewport(self) -> None:
         """Take over the viewport: its origin for all drawing, its box for the active page."""
-        view = self.settings.view
-        self._dx, self._dy = self._origin = view.left, view.top
+        view, page = self.settings.view, self.page
+        left, top = self._dx, self._dy = self._origin = view.left, view.top
         if view.clip:
-            box = view.left, view.top, view.right, view.bottom
+            box = left, top, view.right, view.bottom
         else:
-            box = 0, 0, self.mode.width - 1, self.mode.height - 1
-        if box != self.page.box:
-            self.page.clip_to(box)
+            box = 0, 0, page.width - 1, page.height - 1
+        if box != page.box:
+            page.clip_to(box)
 
     def _use_line_settings(self) -> None:
         """Take over line style, width and write mode, as the booleans that drawing asks for."""
@@ -172,17 +171,19 @@ class State:
         right = right if type(right) is int else whole("right", right)
         bottom = bottom if type(bottom) is int else whole("bottom", bottom)
         clip = clip if type(clip) is int else whole("clip", clip)
-        if not (0 <= left <= right < self.mode.width and 0 <= top <= bottom < self.mode.height):
+        mode, here = self.mode, self.settings
+        if not (0 <= left <= right < mode.width and 0 <= top <= bottom < mode.height):
             KERNEL.result.set(grError)
             return
-        view = self.settings.view
+        view = here.view
         view.left, view.top, view.right, view.bottom, view.clip = left, top, right, bottom, clip
-        self.settings.x = self.settings.y = 0
+        here.x = here.y = 0
         self._use_viewport()
 
     def getviewsettings(self) -> viewporttype:
         """The viewport: absolute corners, and whether clipping is on."""
-        return replace(self.settings.view)
+        view = self.settings.view
+        return viewporttype(view.left, view.top, view.right, view.bottom, view.clip)
 
     def clearviewport(self) -> None:
         """Clear the viewport to index 0, whatever clip is; current position to 0, 0."""

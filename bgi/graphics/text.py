@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from bgi.constants import (
@@ -87,7 +85,8 @@ class Text(State):
 
     def gettextsettings(self) -> textsettingstype:
         """Font, direction, size and justification."""
-        return replace(self.settings.text)
+        now = self.settings.text
+        return textsettingstype(now.font, now.direction, now.charsize, now.horiz, now.vert)
 
     # Measures
 

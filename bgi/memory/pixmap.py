@@ -44,9 +44,8 @@ class Pixmap:
 
     def clip_to(self, box: Box) -> None:
         """Confine all drawing to left, top, right, bottom (inclusive, within the page)."""
-        self.box = box
-        self._left, self._top, self._right, self._bottom = box
-        left, top, right, bottom = box
+        self.box = left, top, right, bottom = box
+        self._left, self._top, self._right, self._bottom = left, top, right, bottom
         self._surface.set_clip((left, top, right - left + 1, bottom - top + 1))
 
     # Pixels
