@@ -9,12 +9,14 @@ bgi.dos import random, bioskey`: see `bgi.stdlib` and `bgi.bios`.
 from __future__ import annotations
 
 import time as _time
+from copy import copy
 from dataclasses import dataclass
 
 from bgi import current
 from bgi.bios import bioskey as bioskey
 from bgi.bios import biostime as biostime
 from bgi.errors import BGIError
+from bgi.interrupts.registers import REGPACK, REGS, SREGS
 from bgi.kernel.arguments import Number, real, whole
 from bgi.monitor import moment
 from bgi.monitor.script import LONGEST
@@ -24,17 +26,12 @@ from bgi.stdlib import random as random
 from bgi.stdlib import randomize as randomize
 from bgi.stdlib import srand as srand
 
+# fmt: off
 __all__ = [
-    "date",
-    "delay",
-    "getdate",
-    "gettime",
-    "nosound",
-    "setdate",
-    "settime",
-    "sleep",
-    "sound",
+    "REGPACK", "REGS", "SREGS", "date", "delay", "getdate", "gettime", "int86", "int86x",
+    "intdos", "intdosx", "intr", "nosound", "setdate", "settime", "sleep", "sound",
 ]
+# fmt: on
 
 CLK_TCK = CLOCKS_PER_SEC = moment.TICKS
 """What clock() counts in a second: the PC's timer ticks."""
@@ -145,3 +142,71 @@ def nosound() -> None:
     """Turn the speaker off. Source: dos.h."""
     if current.is_open():
         current.screen.monitor.sound(0)
+
+
+# Interrupts
+
+
+def int86(intno: Number, inregs: REGS, outregs: REGS | None = None) -> int:
+    """Call the BIOS, DOS or the mouse driver: a software interrupt.
+
+    Args:
+        intno: 0x10 the screen, 0x16 the keyboard, 0x1A the clock, 0x21 DOS, 0x33 the mouse.
+        inregs: what is asked: the function's number in `inregs.h.ah`, or `inregs.x.ax` for the
+            mouse, and what it needs in the others.
+        outregs: where the answer goes; left out, it is `inregs`.
+
+    Returns AX. Before anything is open, an interrupt that needs a screen opens one of text.
+    ValueError for an interrupt or a function that is not there; otherwise raises what the call does
+    that stands behind it. Source: dos.h.
+    """
+    return int86x(intno, inregs, outregs, SREGS())
+
+
+def int86x(intno: Number, inregs: REGS, outregs: REGS | None, segregs: SREGS) -> int:
+    """Call an interrupt that takes an address, too.
+
+    Args:
+        intno, inregs, outregs: as for int86().
+        segregs: in `es` or `ds` what C's address leads to: a text, a list of numbers, a function.
+            The offset, in another register, does not count.
+
+    Source: dos.h.
+    """
+    from bgi.interrupts.dispatch import interrupt  # late, as most programs need it never
+
+    registers = copy(inregs)
+    interrupt(whole("intno", intno), registers, segregs)
+    (inregs if outregs is None else outregs).take(registers)
+    return int(registers.x.ax)
+
+
+def intdos(inregs: REGS, outregs: REGS | None = None) -> int:
+    """Call DOS: int86() with interrupt 21h. Source: dos.h."""
+    return int86(_DOS, inregs, outregs)
+
+
+def intdosx(inregs: REGS, outregs: REGS | None, segregs: SREGS) -> int:
+    """Call DOS: int86x() with interrupt 21h. Source: dos.h."""
+    return int86x(_DOS, inregs, outregs, segregs)
+
+
+def intr(intno: Number, preg: REGPACK) -> None:
+    """Call an interrupt, with all registers in one structure, where the answer goes, too.
+
+    Args:
+        intno: as for int86().
+        preg: the registers, r_ax to r_flags.
+
+    Source: dos.h.
+    """
+    registers = REGS()
+    for name in _PACKED:
+        setattr(registers.x, name, getattr(preg, f"r_{name}"))
+    int86x(intno, registers, registers, SREGS(es=preg.r_es, ds=preg.r_ds))
+    for name in _PACKED:
+        setattr(preg, f"r_{name}", getattr(registers.x, name))
+
+
+_DOS = 0x21
+_PACKED = "ax", "bx", "cx", "dx", "si", "di", "flags"

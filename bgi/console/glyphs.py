@@ -2,10 +2,14 @@
 
 import numpy as np
 
+from bgi.constants import XOR_PUT
 from bgi.fonts import rom
 from bgi.graphics import Graphics
 from bgi.kernel.textmodes import CELL_WIDTH, cell_height_over
 from bgi.raster.lines import Box
+
+XOR = 0x80
+"""Of an attribute: XOR with what is there."""
 
 DOS_ATTRIBUTE = 7
 """What DOS writes in over a picture: light grey."""
@@ -14,8 +18,8 @@ DOS_ATTRIBUTE = 7
 class GlyphPage:
     """A picture as the BIOS writes on it, on the page that is drawn on, whatever the viewport.
 
-    Characters are those of the ROM's font, opaque; of an attribute the colour of the ink counts,
-    and empty is index 0.
+    Characters are those of the ROM's font, opaque, or by XOR where bit 7 of an attribute is set and
+    no colour needs it; of an attribute the colour of the ink counts, and empty is index 0.
     """
 
     def __init__(self, graphics: Graphics) -> None:
@@ -28,12 +32,16 @@ class GlyphPage:
         """Write some characters into the cells of one row; what is off the page is cut."""
         letters = rom.glyphs(self._high)[np.frombuffer(codes, np.uint8)]
         line = letters.transpose(1, 0, 2).reshape(self._high, -1)
-        ink = min(attribute & 15, self._graphics.mode.maxcolor)
-        self._graphics.page.print(x * CELL_WIDTH, y * self._high, line, ink)
+        page, most = self._graphics.page, self._graphics.mode.maxcolor
+        place, ink = (x * CELL_WIDTH, y * self._high), attribute & most
+        if attribute & XOR > most:
+            page.combine(*place, line.astype(page.flat.dtype) * ink, XOR_PUT, most)
+        else:
+            page.print(*place, line, ink)
 
-    def rewrite(self, x: int, y: int, codes: bytes) -> None:
-        """The same in light grey."""
-        self.write(x, y, codes, DOS_ATTRIBUTE)
+    def rewrite(self, x: int, y: int, codes: bytes, color: int = DOS_ATTRIBUTE) -> None:
+        """The same, in light grey unless another colour is given."""
+        self.write(x, y, codes, color)
 
     def fill(self, box: Box, attribute: int) -> None:
         """Empty a box."""
@@ -43,9 +51,11 @@ class GlyphPage:
         """Move a box up by so many lines (less than 0: down), with empty lines behind."""
         self._graphics.page.scroll(self._pixels(box), lines * self._high)
 
-    def attribute(self, x: int, y: int) -> int:
-        """Light grey."""
-        return DOS_ATTRIBUTE
+    def cell(self, x: int, y: int) -> int:
+        """The character whose letter a cell shows, in any colour, as the BIOS finds it; 0: none."""
+        shown = self._graphics.page.copy(x * CELL_WIDTH, y * self._high, CELL_WIDTH, self._high)
+        alike = (rom.glyphs(self._high) == (shown != 0)).all(axis=(1, 2))
+        return DOS_ATTRIBUTE << 8 | int(alike.argmax())
 
     def _pixels(self, box: Box) -> Box:
         """The pixels of a box of cells."""
@@ -63,7 +73,7 @@ class HiddenPage:
     def write(self, x: int, y: int, codes: bytes, attribute: int) -> None:
         """Nothing."""
 
-    def rewrite(self, x: int, y: int, codes: bytes) -> None:
+    def rewrite(self, x: int, y: int, codes: bytes, color: int = 0) -> None:
         """Nothing."""
 
     def fill(self, box: Box, attribute: int) -> None:
@@ -72,6 +82,6 @@ class HiddenPage:
     def scroll(self, box: Box, lines: int, attribute: int) -> None:
         """Nothing."""
 
-    def attribute(self, x: int, y: int) -> int:
-        """No colour."""
+    def cell(self, x: int, y: int) -> int:
+        """Nothing, in no colour."""
         return 0

@@ -5,19 +5,23 @@ from __future__ import annotations
 import re
 from typing import Protocol
 
-from bgi.console.glyphs import GlyphPage, HiddenPage
+from bgi.console.glyphs import DOS_ATTRIBUTE, GlyphPage, HiddenPage
 from bgi.constants import C80
 from bgi.graphics import Graphics
+from bgi.kernel import modes
 from bgi.kernel.textmodes import TEXT_MODES, TextMode
 from bgi.memory.card import Card
 from bgi.memory.cells import CellPage
-from bgi.memory.rgb import SIXTEEN
+from bgi.memory.palette import Palette
 from bgi.raster.lines import Box
 
 NORMAL_ATTRIBUTE = 7
 """Light grey on black: what a screen begins in."""
 
 BELL, BACKSPACE, LINE_FEED, RETURN = 7, 8, 10, 13
+
+_COLORS = modes.window(640, 400)
+"""A mode with the palette of text: the same sixteen colours, each any of 64."""
 
 TAB = 8
 CONTROLS = (BELL, BACKSPACE, LINE_FEED, RETURN)
@@ -38,10 +42,10 @@ class TextPage(Protocol):
     rows: int
 
     def write(self, x: int, y: int, codes: bytes, attribute: int) -> None: ...
-    def rewrite(self, x: int, y: int, codes: bytes) -> None: ...
+    def rewrite(self, x: int, y: int, codes: bytes, color: int = ...) -> None: ...
     def fill(self, box: Box, attribute: int) -> None: ...
     def scroll(self, box: Box, lines: int, attribute: int) -> None: ...
-    def attribute(self, x: int, y: int) -> int: ...
+    def cell(self, x: int, y: int) -> int: ...
 
 
 class Bios:
@@ -66,7 +70,7 @@ class Bios:
         self.card.set_text_mode(
             mode.columns, mode.rows, mode.cell_height, 2 if mode.monochrome else 0
         )
-        self.card.palette[:16] = SIXTEEN
+        self.palette = Palette(_COLORS, self.card.palette)
         self.cells = self.page = CellPage(self.card.page(0), mode.columns, mode.rows)
         self.is_text = True
         self.page.fill((0, 0, mode.columns - 1, mode.rows - 1), NORMAL_ATTRIBUTE)
@@ -96,11 +100,11 @@ class Bios:
 
     # Writing
 
-    def teletype(self, codes: bytes) -> None:
+    def teletype(self, codes: bytes, color: int = DOS_ATTRIBUTE) -> None:
         """Write some characters and move on; at the end of the last row the screen scrolls.
 
         Line feed goes down only, return to the left edge, backspace one to the left; the bell is
-        silent. Every other code is a picture.
+        silent. Every other code is a picture. Over a picture the colour counts.
         """
         for run in runs(codes):
             if run[0] in CONTROLS:
@@ -110,7 +114,7 @@ class Bios:
                 if self.x >= self.page.columns:
                     self._new_line()
                 here = run[: self.page.columns - self.x]
-                self.page.rewrite(self.x, self.y, here)
+                self.page.rewrite(self.x, self.y, here, color)
                 run = run[len(here) :]
                 self.x += len(here)
             if self.x >= self.page.columns:
@@ -150,5 +154,5 @@ class Bios:
             self.y += 1
         elif code == LINE_FEED:
             self.y = last
-            attribute = self.page.attribute(min(self.x, columns - 1), last)
+            attribute = self.page.cell(min(self.x, columns - 1), last) >> 8
             self.page.scroll((0, 0, columns - 1, last), 1, attribute)

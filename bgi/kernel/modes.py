@@ -135,6 +135,12 @@ SVGA256 = [
 ]
 """The modes of the well-known driver SVGA256.BGI, which installuserdriver() adds."""
 
+BIOS_ONLY = [
+    GraphicsMode(VGA, 0x0D, 320, 200, 16, 8, 8, 8333, "EGA200", "320 x 200 EGA"),
+    GraphicsMode(VGA, 0x13, 320, 200, 256, 2, 1, 8333, "IBM8514", "320 x 200 VGA"),
+]
+"""Modes that no driver has, and programs set by interrupt 10h; their numbers are the BIOS's."""
+
 _BY_NUMBER = {(mode.driver, mode.number): mode for mode in MODES}
 _BY_NUMBER[EGAMONO, EGAMONOHI] = _BY_NUMBER[EGAMONO, 3]  # to graphics.h it is 0, to the driver 3
 

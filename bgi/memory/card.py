@@ -64,6 +64,7 @@ CELL_BYTES = 2
 CELL_HEIGHTS = (8, 14, 16)
 MAX_SIDE = 4096  # pixels: no mode is wider or higher; a header that says so is damaged
 CAPACITY = 2 * 1024 * 768  # bytes of pixels that every card holds: two pages of the largest mode
+BLINKING, BRIGHT, MONOCHROME = 0, 1, 2  # what bit 7 of an attribute means: see the layout
 NO_CURSOR = 0xFFFFFFFF  # the cell of a cursor that is not shown: beyond any last one
 ATTEMPTS = 10  # at a copy of a page, while the program changes the visible page all the time
 

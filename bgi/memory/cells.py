@@ -27,8 +27,8 @@ class CellPage:
         at = y * self.columns + x
         self.flat[at : at + len(codes)] = np.frombuffer(codes, np.uint8) | np.uint16(attribute << 8)
 
-    def rewrite(self, x: int, y: int, codes: bytes) -> None:
-        """The same in the attributes that the cells have, as the BIOS does."""
+    def rewrite(self, x: int, y: int, codes: bytes, color: int = 0) -> None:
+        """The same in the attributes that the cells have, as the BIOS does: no colour counts."""
         at = y * self.columns + x
         cells = self.flat[at : at + len(codes)]
         cells[:] = cells & 0xFF00 | np.frombuffer(codes, np.uint8)
@@ -44,9 +44,9 @@ class CellPage:
         part = self.array[top : bottom + 1, left : right + 1]
         scroll(part, lines, attribute << 8 | BLANK)
 
-    def attribute(self, x: int, y: int) -> int:
-        """The attribute of a cell."""
-        return int(self.array[y, x]) >> 8
+    def cell(self, x: int, y: int) -> int:
+        """What a cell holds: 256 * its attribute + its character."""
+        return int(self.array[y, x])
 
     def copy(self, box: Box) -> bytes:
         """The cells of a box, row by row."""

@@ -193,11 +193,17 @@ class Palette:
         if not self._has_dac:
             return False
         shift = 2 if self.kind == "IBM8514" else 0
-        for register, (red, green, blue) in zip(registers, colors, strict=True):
-            self._dac[register & 0xFF] = (
-                six_bits(red >> shift),
-                six_bits(green >> shift),
-                six_bits(blue >> shift),
-            )
-        self._show()
+        self.load(registers, [(r >> shift, g >> shift, b >> shift) for r, g, b in colors])
         return True
+
+    def load(self, registers: Sequence[int], colors: Sequence[RGB]) -> None:
+        """Load DAC registers with components of six bits, as the BIOS does; nothing without DAC."""
+        if self._has_dac:
+            for register, (red, green, blue) in zip(registers, colors, strict=True):
+                self._dac[register & 0xFF] = six_bits(red), six_bits(green), six_bits(blue)
+            self._show()
+
+    def loaded(self, register: int) -> RGB:
+        """The components of a DAC register, six bits each."""
+        red, green, blue = self._dac[register & 0xFF]
+        return red >> 2, green >> 2, blue >> 2

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from bgi.kernel.textmodes import CELL_WIDTH
-from bgi.memory.card import Frame, TextFrame
+from bgi.memory.card import BRIGHT, MONOCHROME, Frame, TextFrame
 
 # numpy, and what needs it, is imported late: most windows open without it, in half of the time.
 if TYPE_CHECKING:
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 # characters take twice as long.
 CURSOR_SECONDS = 8 / 70
 
-_BLINKING, _BRIGHT, _MONOCHROME = 0, 1, 2  # what bit 7 of an attribute means: see the card
 _MONO_COLORS = bytes([0] + 7 * [7] + [8] + 7 * [15])
 
 
@@ -33,7 +32,7 @@ def at_moment(frame: Frame, seconds: float) -> Frame:
     dark = phase(seconds)
     if not _has_cursor(text):
         dark &= 2
-    if text.attributes == _BRIGHT or frame.pixels[1::2].isascii():
+    if text.attributes == BRIGHT or frame.pixels[1::2].isascii():
         dark &= 1
     return frame._replace(text=text._replace(phase=dark))
 
@@ -47,12 +46,12 @@ def drawn(frame: Frame, text: TextFrame) -> NDArray[np.uint8]:
     cells = np.frombuffer(frame.pixels, np.uint8).reshape(text.rows, text.columns, 2)
     codes, attributes = cells[..., 0], cells[..., 1]
     ink, paper = attributes & 15, attributes >> 4
-    if text.attributes != _BRIGHT:
+    if text.attributes != BRIGHT:
         paper = paper & 7
         if text.phase & 2:
             ink = np.where(attributes & 128, paper, ink)
     bits = glyphs(text.cell_height)[codes]
-    if text.attributes == _MONOCHROME:
+    if text.attributes == MONOCHROME:
         bits[(attributes & 7) == 1, text.cell_height - 2] = True  # underlined
         reverse = paper == 7
         ink = np.where(reverse & (ink & 7 == 0), 0, np.frombuffer(_MONO_COLORS, np.uint8)[ink])
