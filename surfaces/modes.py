@@ -23,6 +23,7 @@ from surfaces.shape.contours import contours
 from surfaces.shape.grid import Grid
 from surfaces.space.transforms import apply
 from surfaces.space.view import View
+from surfaces.systems.trace import rounded
 from surfaces.visible import horizon, painter
 from surfaces.visible.horizon import Segments
 from surfaces.visible.order import back_to_front
@@ -91,7 +92,7 @@ def _cover(easel: Easel, far: Row, near: Row) -> None:
     corners = quads(np.arange(2 * count).reshape(2, count, 1))[0, ..., 0]
     _, triangles = with_three_corners(corners, np.isfinite(nodes[:, 0])[corners])
     corners = np.concatenate((corners[far.joined & near.joined], triangles))
-    easel.pen.polygons(nodes[corners], BACKGROUND, BACKGROUND)
+    easel.pen.polygons(rounded(nodes[corners]), BACKGROUND, BACKGROUND)
 
 
 def _draw_row(easel: Easel, row: Row) -> None:

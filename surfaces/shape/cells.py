@@ -10,12 +10,17 @@ from surfaces.arrays import Bools, Ints
 Item = TypeVar("Item", bound=np.generic)
 
 
-def quads(nodes: NDArray[Item]) -> NDArray[Item]:
-    """The four corners of every cell, in the order of the nodes.
+def four_corners(nodes: NDArray[Item]) -> tuple[NDArray[Item], ...]:
+    """The four corners of every cell, in the order of the nodes, going round.
 
-    From nodes of shape (nx+1, ny+1, k), an array of shape (nx, ny, 4, k); the corners go round.
+    From nodes of shape (nx+1, ny+1, ...), four views of shape (nx, ny, ...).
     """
-    return np.stack((nodes[:-1, :-1], nodes[1:, :-1], nodes[1:, 1:], nodes[:-1, 1:]), axis=2)
+    return nodes[:-1, :-1], nodes[1:, :-1], nodes[1:, 1:], nodes[:-1, 1:]
+
+
+def quads(nodes: NDArray[Item]) -> NDArray[Item]:
+    """The same in one array: from nodes of shape (nx+1, ny+1, k), an array (nx, ny, 4, k)."""
+    return np.stack(four_corners(nodes), axis=2)
 
 
 def all_corners(there: Bools) -> Bools:

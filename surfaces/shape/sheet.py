@@ -125,6 +125,10 @@ def _placed(parts: Sequence[Any], laid_out: Rulers) -> list[Doubles]:
 
 
 def _stacked(parts: list[Doubles]) -> Doubles:
-    """Points from their x, y and z; one without all three is NaN."""
-    points = np.stack([cut(part, None) for part in parts], axis=-1)
-    return np.where(np.isfinite(points).all(axis=-1, keepdims=True), points, np.nan)
+    """Points from their x, y and z; one without all three is NaN.
+
+    In memory all x come first, then all y, then all z: each is quick to take from.
+    """
+    planes = np.stack([cut(part, None) for part in parts])
+    planes[:, ~np.isfinite(planes).all(axis=0)] = np.nan
+    return np.moveaxis(planes, 0, -1)

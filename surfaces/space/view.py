@@ -48,11 +48,22 @@ class View:
 
         Along a line of the screen it runs evenly, also in a perspective, where it is 1 / w.
         """
+        return self.nearness_of(points[..., 0], points[..., 1], points[..., 2])
+
+    def nearness_of(self, x: Doubles, y: Doubles, z: Doubles) -> Doubles:
+        """The same for points given by their coordinates, arrays of one shape."""
         if self.parallel:
-            far: Doubles = points @ self.eye
-            return far
-        near: Doubles = 1 / (points @ self.screen[:3, 3] + self.screen[3, 3])
-        return near
+            return _combined(x, y, z, self.eye)
+        return np.asarray(1 / _combined(x, y, z, self.screen[:, 3]))
+
+    def places(self, x: Doubles, y: Doubles, z: Doubles) -> tuple[Doubles, Doubles]:
+        """Where points appear on the screen, x' and y', given by their coordinates."""
+        across, down = (_combined(x, y, z, self.screen[:, way]) for way in range(2))
+        if not self.parallel:
+            w = _combined(x, y, z, self.screen[:, 3])
+            across /= w
+            down /= w
+        return across, down
 
     @classmethod
     def of(cls, T: Doubles, mapping: Projection) -> "View":
@@ -66,6 +77,19 @@ class View:
         if screen[:3, 3].any():  # a place, not only a direction
             eye = apply(mapping.eye, np.asarray(np.linalg.inv(T), dtype=np.float64))
         return cls(screen, eye)
+
+
+def _combined(x: Doubles, y: Doubles, z: Doubles, factors: Doubles) -> Doubles:
+    """x, y and z times three factors, added, and a fourth number if there is one.
+
+    Not a product of matrices: for large ones BLAS wakes threads that cost more than they save.
+    """
+    total: Doubles = x * factors[0]
+    total += y * factors[1]
+    total += z * factors[2]
+    if len(factors) == 4:
+        total += factors[3]
+    return total
 
 
 def eye_from_surface(eye: Doubles, T: Doubles) -> Doubles:

@@ -187,9 +187,8 @@ class Pen:
             for ends_of_line in np.concatenate((a, b), axis=1).tolist():
                 self.system.line(*ends_of_line)
 
-    def polygons(self, corners: Doubles, fills: Ints | int, outline: int) -> None:
-        """Solid polygons, corners (n, k, 2), one after another; outline 0 is not drawn."""
-        points = trace.rounded(corners)
+    def polygons(self, points: Ints, fills: Ints | int, outline: int) -> None:
+        """Solid polygons, pixels (n, k, 2), one after another; outline 0 is not drawn."""
         if self.arrays and self._has("fillpoly"):
             self.system.fillpoly(points, fill=self._shown(fills), color=self._shown(outline))
             return

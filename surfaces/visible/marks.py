@@ -9,6 +9,7 @@ import numpy as np
 from surfaces.arrays import Doubles
 from surfaces.space.transforms import apply
 from surfaces.systems.pen import WHITE
+from surfaces.systems.trace import rounded
 from surfaces.visible.painter import Picture
 
 STEP = 2.0
@@ -23,7 +24,7 @@ def points(picture: Picture, places: Doubles, color: int | None, size: int) -> N
     middles = apply(seen, picture.view.screen)[:, np.newaxis, :2]
     pen = picture.easel.pen
     ink = pen.ink(WHITE) if color is None else color
-    pen.polygons(middles + size * CORNERS, ink, ink)
+    pen.polygons(rounded(middles + size * CORNERS), ink, ink)
 
 
 def curve(picture: Picture, places: Doubles, color: int | None) -> None:

@@ -11,24 +11,25 @@ seen from the surface (see `surfaces.space.view`).
 Several surfaces over the same grid take turns cell by cell, in each the one farthest from the eye
 first: right as long as they do not cross inside a cell. Cells anywhere in space are sorted by the
 depth of their middles, which is right to within a cell.
+
+The cells between two planes are a strip. All orders come in blocks of some strips, or some cells.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, TypeVar
+from collections.abc import Iterator, Sequence
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from surfaces.arrays import Bools, Doubles, Ints
-from surfaces.shape.cells import every_nth, quads, with_three_corners
-from surfaces.shape.fields import Field
-from surfaces.shape.grid import Grid
-from surfaces.shape.rim import Rim
-from surfaces.space.transforms import apply
+from surfaces.arrays import Doubles, Ints
+from surfaces.shape.cells import four_corners
 from surfaces.space.view import View
+from surfaces.visible.lattice import Cells, Lattice
 
 Item = TypeVar("Item", bound=np.generic)
+
+BLOCK = 1 << 13
+"""Nodes of a block, or corners: the arrays that are made of them stay in the cache."""
 
 
 def back_to_front(field: NDArray[Item], eye: Doubles) -> NDArray[Item]:
@@ -40,129 +41,115 @@ def back_to_front(field: NDArray[Item], eye: Doubles) -> NDArray[Item]:
     return field[:: 1 if eye[0] >= 0 else -1, :: 1 if eye[1] >= 0 else -1]
 
 
-def painting_order(view: View, x: Doubles, y: Doubles) -> tuple[Any, Any]:
-    """The index that brings the cells between lines of x and y into order, the nearest last."""
-    if view.parallel:
-        ways = (slice(None, None, 1 if eye >= 0 else -1) for eye in view.eye[:2])
-        return next(ways), next(ways)
-    return _approach(x, view.eye[0])[:, np.newaxis], _approach(y, view.eye[1])
+def in_any_order(lattices: Sequence[Lattice], view: View) -> Iterator[Cells]:
+    """The cells of surfaces, for what needs no order."""
+    for lattice in lattices:
+        for strips in _parted(range(len(lattice.whole)), lattice):
+            yield _block([lattice], strips, np.arange(lattice.whole.shape[1]), view)
 
 
-def _approach(lines: Doubles, eye: float) -> Ints:
+def in_strips(lattices: Sequence[Lattice], view: View) -> Iterator[Cells]:
+    """The cells of height fields over the same x and y in painting order, the nearest last."""
+    first = lattices[0]
+    runs = _approach(first.y[0], view.eye[1], view.parallel)
+    columns = np.concatenate([np.array(run, dtype=np.int64) for run in runs])
+    for run in _approach(first.x[:, 0], view.eye[0], view.parallel):
+        for strips in _parted(run, first):
+            yield _block(lattices, strips, columns, view)
+
+
+def by_depth(lattice: Lattice, view: View) -> Iterator[Cells]:
+    """The cells of a surface anywhere in space, that with the nearest middle last."""
+    ways = [np.ascontiguousarray(way).ravel() for way in (lattice.x, lattice.y, lattice.z)]
+    near = view.nearness_of(*ways)
+    cells, parts = np.flatnonzero(lattice.whole), lattice.parts
+    a, b, c, d = four_corners(near.reshape(lattice.z.shape))
+    middles = ((a + b + c + d) / 4).ravel().take(cells), near.take(parts).sum(axis=0) / 4
+    order = np.argsort(np.concatenate(middles), kind="stable")
+    for start in range(0, len(order), BLOCK // 4):
+        some = order[start : start + BLOCK // 4]
+        whole = some < len(cells)
+        corners = np.empty((4, len(some)), np.int64)
+        corners[:, whole] = lattice.corners(cells[some[whole]])
+        corners[:, ~whole] = parts[:, some[~whole] - len(cells)]
+        nodes = np.stack([way.take(corners).ravel() for way in ways])
+        numbers = np.arange(corners.size).reshape(corners.shape)
+        yield Cells(nodes, lattice.values.take(corners).ravel(), numbers, view)
+
+
+def _approach(lines: Doubles, eye: float, parallel: bool) -> list[range]:
     """The strips between lines, from both sides toward the one in which the eye is.
 
-    Whichever way a ray leads from an eye near by, it meets them in the opposite order.
+    Whichever way a ray leads from an eye near by, it meets them in the opposite order. From an eye
+    far away all lead one way.
     """
-    away = np.maximum(lines[:-1] - eye, eye - lines[1:])
-    strips: Ints = np.argsort(-away, kind="stable")
-    return strips
+    count = len(lines) - 1
+    if parallel:
+        before = count if eye >= 0 else 0
+    else:
+        before = min(max(int(np.searchsorted(lines, eye)) - 1, 0), count)
+    return [range(before), range(count - 1, before - 1, -1)]
 
 
-@dataclass(frozen=True)
-class Cells:
-    """Cells of surfaces, in painting order: the nearest last."""
-
-    nodes: Doubles
-    """(k, 3): the nodes in space."""
-    values: Doubles
-    """(k,): the field there, 0 to 1."""
-    corners: Ints
-    """(m, 4): for each cell its nodes, counterclockwise as seen from the upper side."""
-    view: View
-
-    @property
-    def screen(self) -> Doubles:
-        """(m, 4, 2): where the corners appear."""
-        return apply(self.nodes, self.view.screen)[:, :2][self.corners]
-
-    def under(self, screen: Doubles) -> Bools:
-        """(m,): whether the under side is seen, where the corners appear as in `screen`."""
-        (ax, ay), (bx, by) = (screen[:, 2] - screen[:, 0]).T, (screen[:, 3] - screen[:, 1]).T
-        # Counterclockwise in space is clockwise on the screen, or not: as the axes are drawn.
-        right, down = self.view.arrows.T
-        return np.asarray((ax * by - ay * bx) * (np.cross(right, down) @ self.view.eye) < 0)
+def _parted(strips: range, lattice: Lattice) -> Iterator[range]:
+    """Strips in blocks."""
+    step = max(1, BLOCK // lattice.z.shape[1])
+    for start in range(0, len(strips), step):
+        yield strips[start : start + step]
 
 
-def cells_of_grids(grids: Sequence[Grid], fields: Sequence[Field], view: View, every: int) -> Cells:
-    """The cells of surfaces over the same x and y; holes left out.
+def _block(lattices: Sequence[Lattice], strips: range, columns: Ints, view: View) -> Cells:
+    """The cells of neighbouring strips of lattices, in the order of strips and columns.
 
-    `fields` are over the nodes, one for each surface. Cells are `every` by `every` cells of the
-    grid in one.
+    Of several lattices in the same place, the one on the eye's side is last.
     """
-    thin = [grid.thinned(every) for grid in grids]
-    i, j = grids[0].lines(every)
-    nodes = np.stack([grid.points for grid in thin])
-    index = np.arange(nodes[..., 0].size).reshape(nodes.shape[:3])
-    corners = np.stack([quads(one[..., None])[..., 0] for one in index], axis=2)
-    whole = np.stack([grid.whole for grid in thin], axis=2)
-    if len(grids) > 1:
-        # Of two surfaces one above the other, the one on the eye's side is the nearer.
-        height = np.nan_to_num(nodes[..., 2].ravel()[corners].mean(axis=3))
-        eye = view.eye[2]
-        near = height * np.sign(eye) if view.parallel else -np.abs(height - eye)
-        order = np.argsort(near, axis=2)
-        whole = np.take_along_axis(whole, order, axis=2)
-        corners = np.take_along_axis(corners, order[..., None], axis=2)
-    sequence = painting_order(view, thin[0].x, thin[0].y)
-    there = whole[sequence]
-    values = np.stack([field.value[np.ix_(i, j)] for field in fields])
-    cells = Cells(nodes.reshape(-1, 3), values.ravel(), corners[sequence][there], view)
-    if any(grid.rim is not None for grid in thin):
-        cells = _with_rims(cells, thin, fields, index, there)
-    return cells
-
-
-def _with_rims(
-    cells: Cells, grids: Sequence[Grid], fields: Sequence[Field], index: Ints, there: Bools
-) -> Cells:
-    """Add the parts of cells at the rims of holes, each where its cell is in the painter's order.
-
-    `index` are the numbers of each grid's nodes, (grids, nx+1, ny+1); `there` says which cells, in
-    painting order, are among the others, (nx, ny, grids).
-    """
-    order = np.ravel_multi_index(np.nonzero(there)[:2], there.shape[:2])
-    ranks = np.empty(there.shape[:2], dtype=np.int64)
-    ranks[painting_order(cells.view, grids[0].x, grids[0].y)] = np.arange(ranks.size).reshape(
-        ranks.shape
-    )
-    for grid, field, nodes in zip(grids, fields, index, strict=True):
-        if grid.rim is not None:
-            own = range(nodes[0, 0], nodes[-1, -1] + 1)
-            cells, order = _with_rim(cells, grid.rim, field, own, order, ranks.ravel())
+    low, numbers = min(strips), np.array(strips)
+    parts = [lattice.rows(slice(low, max(strips) + 2)) for lattice in lattices]
+    nodes = np.concatenate([part for part, _ in parts], axis=1)
+    values = np.concatenate([part for _, part in parts])
+    starts = np.arange(len(lattices)) * parts[0][1].size
+    around = lattices[0].around
+    places = (numbers - low)[:, None] * (len(columns) + 1) + columns
+    corner = places.ravel() + starts[:, None]  # the first of each cell's corners
+    whole = np.stack([lattice.whole[np.ix_(numbers, columns)].ravel() for lattice in lattices])
+    if len(lattices) > 1:
+        height = np.nan_to_num(sum(nodes[2].take(corner + step) for step in around) / 4)
+        near = height * np.sign(view.eye[2]) if view.parallel else -np.abs(height - view.eye[2])
+        order = np.argsort(near, axis=0)
+        whole = np.take_along_axis(whole, order, axis=0)
+        corner = np.take_along_axis(corner, order, axis=0)
+    there = np.flatnonzero(whole.T)
+    cells = Cells(nodes, values, corner.T.ravel().take(there) + around[:, None], view)
+    ranks = there // len(lattices)
+    for lattice, start in zip(lattices, starts.tolist(), strict=True):
+        cells, ranks = _with_rim(cells, ranks, lattice, strips, columns, start)
     return cells
 
 
 def _with_rim(
-    cells: Cells, rim: Rim, field: Field, nodes: range, order: Ints, ranks: Ints
+    cells: Cells, ranks: Ints, lattice: Lattice, strips: range, columns: Ints, start: int
 ) -> tuple[Cells, Ints]:
-    """Add the parts of cells at the rims of one grid's holes, and their places in the order.
+    """Add the parts of cells at the rims of a lattice's holes, each after the cells in its place.
 
-    `nodes` are the grid's among those of the cells; `order`, (m,), is where in the painter's order
-    the cells are, `ranks`, (nx * ny,), where any cell would be.
+    `ranks`, (m,), are the places of the cells so far; `start` is the lattice's first node there.
     """
-    on_rim = rim.corners >= len(nodes)
-    corners = rim.corners + np.where(on_rim, len(cells.nodes) - len(nodes), nodes.start)
-    orders = np.concatenate((order, ranks[rim.cell]))
-    sequence = np.argsort(orders, kind="stable")
-    values = field.at(rim.points, cells.values[rim.beside + nodes.start])
+    if lattice.rim is None:
+        return cells, ranks
+    (rim, at_rim), low = lattice.rim, min(strips)
+    strip, column = np.divmod(rim.cell, len(columns))
+    here = np.flatnonzero((strip >= low) & (strip <= max(strips)))
+    corners = rim.corners[here].T
+    on_rim = corners >= lattice.z.size
+    points, place = np.unique(corners[on_rim] - lattice.z.size, return_inverse=True)
+    corners = corners - low * (len(columns) + 1) + start
+    corners[on_rim] = len(cells.values) + place
+    rank = np.argsort(strips)[strip[here] - low] * len(columns) + np.argsort(columns)[column[here]]
+    ranks = np.concatenate((ranks, rank))
+    sequence = np.argsort(ranks, kind="stable")
     more = Cells(
-        np.concatenate((cells.nodes, rim.points)),
-        np.concatenate((cells.values, values)),
-        np.concatenate((cells.corners, corners))[sequence],
+        np.concatenate((cells.nodes, rim.points[points].T), axis=1),
+        np.concatenate((cells.values, at_rim[points])),
+        np.concatenate((cells.corners, corners), axis=1)[:, sequence],
         cells.view,
     )
-    return more, orders[sequence]
-
-
-def cells_of_points(points: Doubles, value: Doubles, view: View, every: int) -> Cells:
-    """The cells of a sheet of points, (nu+1, nv+1, 3), by depth, triangles at the rims of holes."""
-    i, j = (every_nth(count, every) for count in value.shape)
-    nodes = points[np.ix_(i, j)].reshape(-1, 3)
-    corners = quads(np.arange(len(nodes)).reshape(len(i), len(j), 1))[..., 0]
-    corners = corners.reshape(-1, 4)
-    there = np.isfinite(nodes[:, 2])[corners]
-    if not there.all():
-        _, triangles = with_three_corners(corners, there)
-        corners = np.concatenate((corners[there.all(axis=1)], triangles))
-    order = np.argsort(view.nearness(nodes)[corners].mean(axis=1), kind="stable")
-    return Cells(nodes, value[np.ix_(i, j)].ravel(), corners[order], view)
+    return more, ranks[sequence]

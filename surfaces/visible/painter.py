@@ -9,7 +9,7 @@ Holes, facets, several surfaces, parametric ones, and drawings made of polygons 
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -21,7 +21,7 @@ from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import BLACK, DARKGRAY, Pen
 from surfaces.visible.depth import DepthBuffer
-from surfaces.visible.order import Cells
+from surfaces.visible.lattice import Cells
 
 BACKGROUND = BLACK
 
@@ -59,11 +59,16 @@ class Picture(ABC):
     @cached_property
     def depths(self) -> DepthBuffer:
         """How near to the eye it is at every pixel."""
-        return DepthBuffer(self.easel.pen, self.easel.palette, self.cells())
+        easel = self.easel
+        return DepthBuffer(easel.pen, easel.palette, easel.view, self.cells())
 
     @abstractmethod
-    def cells(self, every: int = 1) -> Cells:
-        """The cells in painting order, each made of `every` by `every` cells of the grid."""
+    def cells(self) -> Iterator[Cells]:
+        """The cells, some at a time, in any order."""
+
+    @abstractmethod
+    def painted(self, every: int = 1) -> Iterator[Cells]:
+        """Cells in painting order, some at a time, each `every` by `every` cells of the grid."""
 
     @abstractmethod
     def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
@@ -76,30 +81,31 @@ class Picture(ABC):
 
 def fill(picture: Picture) -> None:
     """Colour smoothly, each pixel by its depth; whole cells where a system is made of polygons."""
-    easel, cells = picture.easel, picture.cells()
+    easel = picture.easel
     easel.load_palette()
-    if easel.pen.vector or not len(cells.corners):
-        _paint(easel, cells, BACKGROUND)
-        return
-    DepthBuffer(easel.pen, easel.palette, cells).draw()
+    if easel.pen.vector:
+        _paint(easel, picture.painted(), BACKGROUND)
+    else:
+        picture.depths.draw()
 
 
 def add(picture: Picture, drawn: Picture) -> None:
     """Fill one surface into the picture of another, each hidden where the other is nearer."""
-    easel, cells = picture.easel, picture.cells()
+    easel = picture.easel
     easel.load_palette()
     if easel.pen.vector:  # whole cells, by their middles
-        middles = cells.nodes[cells.corners].mean(axis=1)
-        shown = drawn.depths.shows(middles)
-        _paint(easel, replace(cells, corners=cells.corners[shown]), BACKGROUND)
+        shown = (cells.subset(drawn.depths.shows(cells.middles)) for cells in picture.painted())
+        _paint(easel, shown, BACKGROUND)
     else:
-        DepthBuffer(easel.pen, easel.palette, cells, drawn.cells()).draw()
+        drawn_cells = drawn.cells()
+        DepthBuffer(easel.pen, easel.palette, easel.view, picture.cells(), drawn_cells).draw()
 
 
 def mesh(picture: Picture) -> None:
     """Each cell covers what lies behind it with the background, and then shows its outline."""
     easel = picture.easel
-    easel.pen.polygons(picture.cells(easel.every).screen, BACKGROUND, easel.ink)
+    for cells in picture.painted(easel.every):
+        easel.pen.polygons(cells.polygons, BACKGROUND, easel.ink)
 
 
 def fill_and_mesh(picture: Picture) -> None:
@@ -107,7 +113,7 @@ def fill_and_mesh(picture: Picture) -> None:
     easel = picture.easel
     easel.load_palette()
     # fillpoly draws no outline in the background's colour: dark gray stands in.
-    _paint(easel, picture.cells(easel.every), easel.ink or DARKGRAY)
+    _paint(easel, picture.painted(easel.every), easel.ink or DARKGRAY)
 
 
 def wire(picture: Picture) -> None:
@@ -119,7 +125,7 @@ def wire(picture: Picture) -> None:
 def facets(picture: Picture) -> None:
     """Every cell in one colour, without an outline."""
     picture.easel.load_palette()
-    _paint(picture.easel, picture.cells(), BACKGROUND)
+    _paint(picture.easel, picture.painted(), BACKGROUND)
 
 
 MODES: dict[str, Callable[[Picture], None]] = {
@@ -133,10 +139,10 @@ FILLED = ("fill", "fill+mesh", "facets")
 """The modes whose lines are black unless told otherwise."""
 
 
-def _paint(easel: Easel, cells: Cells, outline: int) -> None:
-    screen = cells.screen
-    value = sum(cells.values[corner] for corner in cells.corners.T) / 4
-    easel.pen.polygons(screen, easel.palette.bands(value, cells.under(screen)), outline)
+def _paint(easel: Easel, blocks: Iterator[Cells], outline: int) -> None:
+    for cells in blocks:
+        value = cells.values.take(cells.corners).sum(axis=0) / 4
+        easel.pen.polygons(cells.polygons, easel.palette.bands(value, cells.under), outline)
 
 
 def mesh_lines(

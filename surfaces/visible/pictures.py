@@ -11,8 +11,10 @@ from surfaces.shape.fields import Field
 from surfaces.shape.grid import Grid
 from surfaces.shape.sheet import Sheet
 from surfaces.space.transforms import apply
+from surfaces.space.view import View
 from surfaces.visible.horizon import Horizon
-from surfaces.visible.order import Cells, cells_of_grids, cells_of_points
+from surfaces.visible.lattice import Cells, Lattice
+from surfaces.visible.order import by_depth, in_any_order, in_strips
 from surfaces.visible.painter import Picture, mesh_lines
 from surfaces.visible.picking import Triangles, nearest, pick, pick_triangle
 from surfaces.visible.sweep import Sweep
@@ -56,11 +58,21 @@ class HeightPicture(Picture):
     @cached_property
     def triangles(self) -> Triangles:
         """All of the surfaces, for a perspective, in which there are no columns."""
-        return triangles(self.cells())
+        return triangles(self.cells(), self.view)
 
-    def cells(self, every: int = 1) -> Cells:
-        """The cells in painting order, each made of `every` by `every` cells of the grid."""
-        return cells_of_grids(self.grids, self.fields, self.view, every)
+    def _lattices(self, every: int = 1) -> list[Lattice]:
+        return [
+            Lattice.of_grid(grid, field, every)
+            for grid, field in zip(self.grids, self.fields, strict=True)
+        ]
+
+    def cells(self) -> Iterator[Cells]:
+        """The cells, some at a time, in any order."""
+        return in_any_order(self._lattices(), self.view)
+
+    def painted(self, every: int = 1) -> Iterator[Cells]:
+        """Cells in painting order, some at a time, each `every` by `every` cells of the grid."""
+        return in_strips(self._lattices(every), self.view)
 
     def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
         """All lines of the mesh on the screen, and then those that lead on to the rim of a hole."""
@@ -79,10 +91,10 @@ class HeightPicture(Picture):
         return pick(self.sweeps, holes, self.rims, self.view, px, py)
 
 
-def triangles(cells: Cells) -> Triangles:
+def triangles(blocks: Iterator[Cells], view: View) -> Triangles:
     """Two for every cell."""
-    space = cells.nodes[cells.corners]
-    return Triangles.of(np.concatenate((space[:, :3], space[:, [0, 2, 3]])), cells.view)
+    space = np.concatenate([cells.nodes[:, cells.corners].T for cells in blocks])
+    return Triangles.of(np.concatenate((space[:, :3], space[:, [0, 2, 3]])), view)
 
 
 @dataclass(frozen=True)
@@ -96,9 +108,13 @@ class SheetPicture(Picture):
     field: Field
     """The field that its colours show."""
 
-    def cells(self, every: int = 1) -> Cells:
-        """The cells in painting order, each made of `every` by `every` cells of the grid."""
-        return cells_of_points(self.sheet.points, self.field.value, self.view, every)
+    def cells(self) -> Iterator[Cells]:
+        """The cells, some at a time, in any order."""
+        return in_any_order([Lattice.of_sheet(self.sheet, self.field)], self.view)
+
+    def painted(self, every: int = 1) -> Iterator[Cells]:
+        """Cells in painting order, some at a time, each `every` by `every` cells of the grid."""
+        return by_depth(Lattice.of_sheet(self.sheet, self.field, every), self.view)
 
     def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
         """All lines of the mesh on the screen."""
@@ -106,7 +122,7 @@ class SheetPicture(Picture):
 
     @cached_property
     def _triangles(self) -> Triangles:
-        return triangles(self.cells())
+        return triangles(self.cells(), self.view)
 
     def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""
@@ -119,14 +135,15 @@ class Scene(Picture):
 
     parts: tuple[Picture, Picture]
 
-    def cells(self, every: int = 1) -> Cells:
-        """The cells of both, by the depth of their middles."""
-        one, other = (part.cells(every) for part in self.parts)
-        nodes = np.concatenate((one.nodes, other.nodes))
-        corners = np.concatenate((one.corners, other.corners + len(one.nodes)))
-        order = np.argsort(self.view.nearness(nodes)[corners].mean(axis=1), kind="stable")
-        values = np.concatenate((one.values, other.values))
-        return Cells(nodes, values, corners[order], self.view)
+    def cells(self) -> Iterator[Cells]:
+        """The cells of both, some at a time, in any order."""
+        for part in self.parts:
+            yield from part.cells()
+
+    def painted(self, every: int = 1) -> Iterator[Cells]:
+        """Those of one after those of the other."""
+        for part in self.parts:
+            yield from part.painted(every)
 
     def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
         """All lines of both meshes on the screen."""
