@@ -23,8 +23,10 @@ SIXTEEN = (
     *("#555555", "#5555ff", "#55ff55", "#55ffff", "#ff5555", "#ff55ff", "#ffff55", "#ffffff"),
 )
 
-NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-"""Control characters and halves of surrogate pairs, which no XML file may hold (XML 1.0, 2.2)."""
+NOT_XML = "[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
+"""Control characters and halves of surrogate pairs, which no XML file may hold (XML 1.0, 2.2).
+
+A text, compiled when a drawing is written: that takes longer than to import all else here."""
 ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})
 """By hand: the standard library's escape() imports its web client."""
 
@@ -122,4 +124,4 @@ class Svg:
 
 def _xml(text: str) -> str:
     """A text as XML holds it, also between quotation marks; what it cannot hold as U+FFFD."""
-    return NOT_XML.sub("\ufffd", text).translate(ESCAPED)
+    return re.sub(NOT_XML, "\ufffd", text).translate(ESCAPED)
