@@ -9,11 +9,11 @@ of buttons are sums of 1, 2 and 4.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from bgi import current
 from bgi.errors import brief
-from bgi.kernel.arguments import Number, check_function, whole
+from bgi.kernel.arguments import Number, check_function, length, whole
 from bgi.monitor.pointer import LEFT, MIDDLE, RIGHT, Count, pressed, released
 
 __all__ = [
@@ -28,6 +28,7 @@ __all__ = [
     "presses",
     "releases",
     "reset",
+    "set_graphics_cursor",
     "set_horizontal_range",
     "set_position",
     "set_vertical_range",
@@ -36,8 +37,12 @@ __all__ = [
 ]
 
 
+CURSOR_SIZE = 16
+"""Width and height of a pointer in pixels."""
+
+
 def reset() -> int:
-    """Put everything back: pointer hidden and in the middle, no limits, no handler (AX = 0).
+    """Put everything back: an arrow, hidden and in the middle, no limits, no handler (AX = 0).
 
     Returns the number of buttons, 3.
     """
@@ -105,6 +110,27 @@ def set_vertical_range(low: Number, high: Number) -> None:
     top, bottom = _range(low, high, current.shown().height)
     left, _, right, _ = _limits()
     current.screen.monitor.mouse.limit(left, top, right, bottom)
+
+
+def set_graphics_cursor(x: Number, y: Number, masks: Sequence[Number]) -> None:
+    """Give the pointer another look, 16 by 16 pixels (AX = 9); reset() gives the arrow back.
+
+    Args:
+        x, y: its hot spot, the pixel that points, counted from its left upper corner; -16 to 16.
+        masks: 32 numbers of 16 bits: the rows of the screen mask, then those of the cursor mask,
+            the highest bit leftmost. A pixel is black where both have 0, white for 0 and 1; 1 and 0
+            show what is there, and 1 and 1 its opposite.
+
+    ValueError for another number of rows, or a hot spot that is farther away.
+    """
+    spot = whole("x", x), whole("y", y)
+    if max(map(abs, spot)) > CURSOR_SIZE:
+        raise ValueError(f"the hot spot must be within -16 and 16, not {brief(spot)}")
+    if length("masks", masks) != 2 * CURSOR_SIZE:
+        raise ValueError(f"masks must be 32 numbers, 16 rows of each mask; not {len(masks)}")
+    rows = [whole(f"masks[{place}]", row) & 0xFFFF for place, row in enumerate(masks)]
+    current.shown()
+    current.screen.monitor.mouse.shape(*spot, rows)
 
 
 def mickeys() -> tuple[int, int]:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from bgi import current, mouse
-from bgi.interrupts.registers import REGS, SREGS, Function, nothing
+from bgi.interrupts.registers import REGS, SREGS, Function, nothing, numbers
 from bgi.kernel.textmodes import CELL_WIDTH, TextMode
 from bgi.monitor.pointer import Count
 
@@ -104,6 +104,11 @@ def set_vertical_range(r: REGS, s: SREGS) -> None:
     mouse.set_vertical_range(down.to_pixels(_signed(r.x.cx)), down.to_pixels(_signed(r.x.dx)))
 
 
+def set_graphics_cursor(r: REGS, s: SREGS) -> None:
+    """BX, CX: the hot spot; ES: sixteen rows of the screen mask, then of the cursor mask."""
+    mouse.set_graphics_cursor(_signed(r.x.bx), _signed(r.x.cx), numbers("es", s.es, 32)[:32])
+
+
 def motion(r: REGS, s: SREGS) -> None:
     """Returns CX, DX: how far the mouse has moved, in mickeys."""
     r.x.cx, r.x.dx = mouse.mickeys()
@@ -129,6 +134,7 @@ FUNCTIONS: dict[int, Function] = {
     0x06: releases,
     0x07: set_horizontal_range,
     0x08: set_vertical_range,
+    0x09: set_graphics_cursor,
     0x0A: nothing,  # the look of the pointer on a text screen: an arrow, as elsewhere
     0x0B: motion,
     0x0C: set_handler,

@@ -1,5 +1,7 @@
 """Two small pictures, drawn with letters: the window's icon and the mouse driver's arrow."""
 
+from typing import NamedTuple
+
 from bgi.memory.sdl import pygame
 
 _INKS = {
@@ -62,3 +64,51 @@ def picture(art: str, size: int = 1) -> pygame.Surface:
                 surface.set_at((x, y), _INKS[letter])
     width, height = surface.get_size()
     return pygame.transform.scale(surface, (size * width, size * height))
+
+
+class Look(NamedTuple):
+    """What the mouse driver's pointer looks like: a picture, its hot spot, what it inverts."""
+
+    picture: pygame.Surface
+    hot: tuple[int, int] = (0, 0)
+    inverted: tuple[tuple[int, int], ...] = ()
+
+    def draw(self, page: pygame.Surface, x: int, y: int) -> None:
+        """Draw it with its hot spot at x, y."""
+        left, top = x - self.hot[0], y - self.hot[1]
+        page.blit(self.picture, (left, top))
+        for across, down in self.inverted:
+            place = left + across, top + down
+            if page.get_rect().collidepoint(place):
+                red, green, blue, _ = page.get_at(place)
+                page.set_at(place, (255 - red, 255 - green, 255 - blue))
+
+
+def arrow() -> Look:
+    """The look that the pointer begins with."""
+    return Look(picture(ARROW))
+
+
+_BLACK, _WHITE, _TRANSPARENT, _INVERTED = "#", "o", ".", "i"
+_LOOKS = {(0, 0): _BLACK, (0, 1): _WHITE, (1, 0): _TRANSPARENT, (1, 1): _INVERTED}
+
+
+def from_masks(x: int, y: int, *words: int) -> Look:
+    """A look as the driver takes it: of what is there, AND the first mask, XOR the second.
+
+    Args:
+        x, y: the hot spot.
+        words: the sixteen rows of the first mask, then of the second; the highest bit leftmost.
+    """
+    size = len(words) // 2
+    drawing = [
+        "".join(_LOOKS[screen >> bit & 1, cursor >> bit & 1] for bit in reversed(range(size)))
+        for screen, cursor in zip(words[:size], words[size:], strict=True)
+    ]
+    inverted = [
+        (across, down)
+        for down, row in enumerate(drawing)
+        for across, letter in enumerate(row)
+        if letter == _INVERTED
+    ]
+    return Look(picture("\n".join(drawing)), (x, y), tuple(inverted))

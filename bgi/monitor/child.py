@@ -70,6 +70,7 @@ class Child:
             "title": self._display.set_title,
             "sound": lambda hertz: self._speaker.sound(int(hertz)),
             "pointer": self._inputs.use_pointer,
+            "shape": lambda rest: self._display.shape_pointer(*map(int, rest.split())),
             "move": lambda rest: self._inputs.move(*map(int, rest.split())),
             "limits": lambda rest: self._inputs.limit(*map(int, rest.split())),
             "record": self._record_as_planned,

@@ -42,7 +42,7 @@ class Display:
             raise pygame.error(f"the display {os.environ.get('DISPLAY', '')!r} cannot be opened")
         self._maximum = largest(*pygame.display.get_desktop_sizes()[0])
         pygame.display.set_icon(art.picture(art.ICON, 4))
-        self._arrow = art.picture(art.ARROW)
+        self._look = art.arrow()
         self._scan_lines = os.environ.get("BGI_CRT") == "1"
         self.set_title(TITLE)
         self._shape = Shape(640, 480)
@@ -73,7 +73,7 @@ class Display:
     def _paint(self, frame: Frame, palette: bytes) -> None:
         self._page.blit(surface(frame, palette), (0, 0))
         if self._pointer is not None:
-            self._page.blit(self._arrow, self._pointer)
+            self._look.draw(self._page, *self._pointer)
         # Pixels for which there is room stay crisp; else they blend, so that none is lost.
         crisp = self._place.width >= self._shape.width and self._place.height >= self._shape.height
         scale = pygame.transform.scale if crisp else pygame.transform.smoothscale
@@ -99,6 +99,11 @@ class Display:
     def set_pointer(self, place: tuple[int, int] | None) -> None:
         """Show the mouse driver's arrow at a pixel of the page, or not at all."""
         self._pointer = place
+
+    def shape_pointer(self, *numbers: int) -> None:
+        """Give the pointer a look of its own: hot spot and masks; nothing: the arrow again."""
+        self._look = art.from_masks(*numbers) if numbers else art.arrow()
+        self.forget()
 
     # The window
 

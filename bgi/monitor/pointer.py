@@ -9,7 +9,7 @@ import queue
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from bgi.constants import (
@@ -137,6 +137,7 @@ class Mouse:
             self.handlers.pop(0, None)
         self._tell("limits")
         self._tell("pointer", "system")
+        self._tell("shape")
         self.move(x, y)
 
     def show(self) -> None:
@@ -148,6 +149,10 @@ class Mouse:
         """Count one hide."""
         self._hidden += 1
         self._tell("pointer", "hidden")
+
+    def shape(self, x: int, y: int, masks: Sequence[int]) -> None:
+        """Give the pointer a look, as `bgi.monitor.art.from_masks` has it."""
+        self._tell("shape", x, y, *masks)
 
     def move(self, x: int, y: int) -> None:
         """Put the pointer there, or as near as its limits allow."""

@@ -8,6 +8,8 @@ to the window             meaning
 ``sound HERTZ``           play that pitch; 0: silence
 ``pointer STATE``         the mouse driver's arrow is ``shown`` or ``hidden``, or the
                           ``system`` shows its own
+``shape X Y WORDS``       give the arrow another look: hot spot, and 32 words as
+                          `bgi.monitor.art.from_masks` has them; without numbers: its own
 ``move X Y``              put the pointer on that pixel
 ``limits L T R B``        keep the pointer in there; without numbers: everywhere
 ``record FILE``           record what is on show from now on, until the end

@@ -512,6 +512,16 @@ class TestMouse:
         r = driver(0x0B)
         assert (r.x.cx, r.x.dx) == (0x10000 - 10, 10)
 
+    def test_the_look_of_the_pointer(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        told: list[tuple[object, ...]] = []
+        driver(0)
+        monkeypatch.setattr(current.screen.monitor.mouse, "_tell", lambda *word: told.append(word))
+        rows = [0xFFFF] * 16 + [0x0180] * 16
+        int86x(MOUSE, registers(ax=9, bx=0xFFFF, cx=8), None, SREGS(es=rows))
+        assert told == [("shape", -1, 8, *rows)]
+        with pytest.raises(ValueError, match="es must lead to 32 numbers"):
+            driver(9)
+
     def test_a_handler(self) -> None:
         video(0, al=0x13)
         driver(0)

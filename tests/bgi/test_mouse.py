@@ -235,8 +235,21 @@ def test_what_the_monitor_is_told() -> None:
         ("move", 1, 2),
         ("limits",),
         ("pointer", "system"),
+        ("shape",),
         ("move", 7, 8),
     ]
+
+
+def test_the_look_of_the_pointer(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[tuple[object, ...]] = []
+    monkeypatch.setattr(current.screen.monitor.mouse, "_tell", lambda *word: told.append(word))
+    mouse.set_graphics_cursor(8, -16, [0xFFFF] * 16 + [0x18000] * 16)
+    assert told == [("shape", 8, -16, *[0xFFFF] * 16, *[0x8000] * 16)]
+    for masks in ([], [0] * 31, b"x" * 33):
+        with pytest.raises(ValueError, match="masks must be 32 numbers"):
+            mouse.set_graphics_cursor(0, 0, masks)
+    with pytest.raises(ValueError, match="hot spot must be within"):
+        mouse.set_graphics_cursor(17, 0, [0] * 32)
 
 
 def test_waiting_clicks_are_bounded() -> None:
