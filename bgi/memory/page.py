@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from bgi.memory.areas import Areas
-from bgi.memory.boxes import within
+from bgi.memory.boxes import between
 from bgi.memory.pixmap import Mask
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
@@ -136,10 +136,15 @@ class Page(Areas):
     def curve(self, x: int, y: int, curve: Curve, color: int) -> None:
         """A thin curve around x, y."""
         dx, dy, pixels = curve
-        if not self.put_offsets(x, y, pixels, color, False):
-            seen = self._left - x, self._top - y, self._right - x, self._bottom - y
-            corner = (y + pixels.top) * self.width + x + pixels.left
-            self.flat[pixels.place[within(dx, dy, seen)] + corner] = color
+        if self.put_offsets(x, y, pixels, color, False):
+            return
+        place, left, top, right, bottom = pixels
+        if x + left < self._left or x + right > self._right:
+            seen = between(dx, self._left - x, self._right - x)
+            place, dy = place[seen], dy[seen]
+        if y + top < self._top or y + bottom > self._bottom:
+            place = place[between(dy, self._top - y, self._bottom - y)]
+        self.flat[place + ((y + top) * self.width + x + left)] = color
 
     def put_offsets(self, x: int, y: int, figure: Offsets, color: int, xor: bool) -> bool:
         """Draw a kept figure at x, y; False, and nothing is drawn, if the clipping box cuts it."""

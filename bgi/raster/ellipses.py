@@ -27,7 +27,7 @@ Offset = tuple[int, int]
 """dx, dy from the centre, dy downwards."""
 
 # Without the small addend sin 30 degrees would come out just below one half.
-_SINES = [math.floor(32768 * math.sin(math.radians(a)) + 1e-9) for a in range(91)]
+_TABLE = [math.floor(32768 * math.sin(math.radians(a)) + 1e-9) for a in range(91)]
 _OVERFLOW = 1 << 32
 """The stepper's square no longer fits 32 bits: the original draws nothing (radii above 6553)."""
 
@@ -37,7 +37,11 @@ def sine(angle: int) -> int:
     angle %= 360
     if angle >= 180:
         return -sine(angle - 180)
-    return 2 * _SINES[min(angle, 180 - angle)]
+    return 2 * _TABLE[min(angle, 180 - angle)]
+
+
+_SINES = np.array([sine(angle) for angle in range(360)], dtype=np.int64)
+_COSINES = np.roll(_SINES, -90)
 
 
 def point_at(angle: int, rx: int, ry: int) -> Offset:
@@ -50,41 +54,68 @@ _SQUARES = (_COUNT * _COUNT).astype(np.float64)
 """Of radii that do not overflow."""
 
 
-def quadrant(rx: int, ry: int) -> tuple[Ints, Ints]:
-    """The stepper's points of one quadrant, from the top (0, ry) to the right end: x and y upwards.
+_FEW = 150
+"""Up to here a loop takes less time than arrays do."""
 
-    Radii 0 are taken as 1. Nothing for negative radii, and where the original's arithmetic
-    overflows.
 
-    The error at x, y is p * x**2 + q * y**2 - square. In the flat part the stepper takes every x
-    once, and goes down where the errors of both candidates together are not below 0: below the y
-    where a square root says that they are 0, but by one row at most. In the steep part it takes
-    every y once, and goes to the right in the same way. No two candidates are so near to that place
+def quadrant(rx: int, ry: int) -> Ints:
+    """The stepper's points of one quadrant, from the top (0, ry) to the right end.
+
+    Two rows, x and y upwards. Radii 0 are taken as 1. Nothing for negative radii, and where the
+    original's arithmetic overflows.
+    """
+    if not drawable(rx, ry):
+        return np.zeros((2, 0), dtype=np.int64)
+    rx, ry = max(rx, 1), max(ry, 1)
+    square = 100 * max(rx, ry) ** 2
+    find = _walked if rx + ry < _FEW else _computed
+    return find(ry, square, square // rx // rx, square // ry // ry)
+
+
+def _walked(ry: int, square: int, p: int, q: int) -> Ints:
+    """Step by step. The error at x, y is p * x**2 + q * y**2 - square."""
+    error, y = q * ry * ry - square, ry
+    right, down = p, 2 * q * ry - q  # what the error grows by with a step, and falls by
+    ys: list[int] = []
+    while right < down + p + q:  # the flat part: every x once
+        ys.append(y)
+        error += right
+        if 2 * error >= down:
+            y, error, down = y - 1, error - down, down - 2 * q
+        right += 2 * p
+    x = len(ys)
+    xs = list(range(x))
+    ys.extend(range(y, -1, -1))
+    for falls in range(down, -2 * q, -2 * q):  # the steep part: every y once
+        xs.append(x)
+        if right // 2 + error <= falls:
+            x, error, right = x + 1, error + right, right + 2 * p
+        error -= falls
+    return np.array((xs, ys), dtype=np.int64)
+
+
+def _computed(ry: int, square: int, p: int, q: int) -> Ints:
+    """The same points at once.
+
+    In the flat part the stepper goes down where the errors of both candidates together are not
+    below 0: below the y where a square root says that they are 0, but by one row at most. In the
+    steep part it goes to the right in the same way. No two candidates are so near to that place
     that floating point could take one for the other: an eighth, added to whole numbers, makes sure
     of that where they are exactly there.
     """
-    if not drawable(rx, ry):
-        return _COUNT[:0], _COUNT[:0]
-    rx, ry = max(rx, 1), max(ry, 1)
-    square = 100 * max(rx, ry) ** 2
-    p, q = square // rx // rx, square // ry // ry
     flat = int(math.sqrt(square * q / (p * (p + q)))) + 3  # a little farther than p * x = q * y
     x, height = _COUNT[:flat], _SQUARES[:flat] * (-p / q)
     height += (square - 0.125) / q - 0.25
     y = np.minimum(_rounded_root(height), ry)
-    y += x
-    np.maximum.accumulate(y, out=y)
-    y -= x
+    y = np.maximum.accumulate(y + x) - x
     turn = int((p * x >= q * y)[1:].argmax()) + 1
     low = int(y[turn])
     down, width = _COUNT[: low + 1], _SQUARES[low::-1] * (-q / p)
     width += (square - p // 2 + 0.125) / p + 0.25
     across = np.maximum(_rounded_root(width), turn)
     across[0] = turn
-    across -= down
-    np.minimum.accumulate(across, out=across)
-    across += down
-    return np.concatenate((x[:turn], across)), np.concatenate((y[:turn], _COUNT[low::-1]))
+    across = np.minimum.accumulate(across - down) + down
+    return np.array((np.append(x[:turn], across), np.append(y[:turn], _COUNT[low::-1])))
 
 
 def _rounded_root(squares: NDArray[np.float64]) -> Ints:
@@ -115,7 +146,9 @@ def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     sweep = (end + later - start) & 0xFFFF
     if sweep >= MOST_CORNERS:
         sweep = min(end - start, 360) % 360 or 360
-    return [point_at(angle, rx, ry) for angle in range(start, start + sweep + 1)]
+    angles = (_COUNT[: sweep + 1] + start % 360) % 360  # `point_at` for all of them
+    dx, dy = _COSINES[angles] * rx >> 16, -(_SINES[angles] * ry >> 16)
+    return list(zip(dx.tolist(), dy.tolist(), strict=True))
 
 
 _FAR = 1 << 16
@@ -140,22 +173,26 @@ class Ring(NamedTuple):
     rank: Ints
 
 
-def _all_round(rx: int, ry: int) -> tuple[Ints, Ints]:
-    """dx and dy of a whole thin ellipse: four points for each step, in that order."""
-    x, y = quadrant(rx, ry)
-    return np.multiply.outer(x, _ACROSS).ravel(), np.multiply.outer(y, _DOWN).ravel()
-
-
-_ACROSS, _DOWN = np.array([1, -1, 1, -1]), np.array([-1, -1, 1, 1])
-
-
 def _ring(rx: int, ry: int) -> Ring:
-    dx, dy = _all_round(rx, ry)
-    upper = np.where(dx >= 0, -dy - dx, _QUADRANT - dx + dy)
-    lower = np.where(dx < 0, 2 * _QUADRANT + dx + dy, 3 * _QUADRANT + dx - dy)
-    return Ring(dx, dy, np.where(dy <= 0, upper, lower))
+    steps = quadrant(rx, ry)
+    x, y = steps
+    rank = np.multiply.outer(y - x, _RANK_GROWS) + _RANK_BEGINS
+    # Points on the axes are mirrored onto themselves, and belong to one quadrant.
+    rank[0, 1::2] = rank[0, ::2]
+    rank[-1, 2:] = rank[-1, :2]
+    dx, dy = _mirrored(steps)
+    return Ring(dx, dy, rank.ravel())
 
 
+def _mirrored(steps: Ints) -> tuple[Ints, Ints]:
+    """dx and dy of a whole ellipse: four points for each step, in that order."""
+    dx, dy = (steps[:, :, np.newaxis] * _MIRRORS).reshape(2, -1)
+    return dx, dy
+
+
+_MIRRORS = np.array([[[1, -1, 1, -1]], [[-1, -1, 1, 1]]], dtype=np.int64)
+_RANK_GROWS = np.array([1, -1, -1, 1], dtype=np.int64)
+_RANK_BEGINS = np.array([0, 1, 3, 2], dtype=np.int64) * _QUADRANT
 RINGS = Kept(_ring, 1 << 21)
 """By both radii."""
 
@@ -163,14 +200,14 @@ RINGS = Kept(_ring, 1 << 21)
 def arc(start: int, end: int, rx: int, ry: int) -> tuple[Ints, Ints]:
     """dx and dy of a thin arc's points, in the stepper's order."""
     if (start, end) == (0, 360):
-        return _all_round(rx, ry)
+        return _mirrored(quadrant(rx, ry))
+    if start == end or not drawable(rx, ry):
+        return _COUNT[:0], _COUNT[:0]
     dx, dy, rank = RINGS[rx, ry]
-    if start == end or not len(rank):
-        return dx[:0], dy[:0]
     first, last = point_at(start, rx, ry), point_at(end, rx, ry)
     sweep = end - start if start < end else 360  # whatever it is
     if sweep < 2 or (first == last and sweep < 350):
-        return np.array(last[:1]), np.array(last[1:])
+        return np.full(1, last[0]), np.full(1, last[1])
     low, high = _rank(*first), _rank(*last)
     after, before = rank >= low, rank <= high
     inside = after | before if high <= low else after & before
@@ -243,15 +280,19 @@ class Piece(NamedTuple):
 
 
 def _piece(first: int, last: int, rx: int, ry: int, width: int) -> Piece:
-    curve = _curve(first, last, rx, ry, width)
-    arc = list(zip(curve.dx.tolist(), curve.dy.tolist(), strict=True))
-    sides = polygons.edges(polygons.paths(arc))
-    near = all(abs(x2 - x1) <= 1 and abs(y2 - y1) <= 1 for x1, y1, x2, y2 in sides)
-    ends = {end for x1, y1, x2, y2 in sides for end in ((x1, y1), (x2, y2))}
+    edge = _curve(first, last, rx, ry, width)
+    arc = list(zip(edge.dx.tolist(), edge.dy.tolist(), strict=True))
+    paths = polygons.paths(arc)
+    open_path = len(paths) == 1 and paths[0][0] != paths[0][-1]
+    smooth = open_path and _by_one(edge.dx) and _by_one(edge.dy)
     area = polygons.paths([*arc, (0, 0), *arc[:1]])
     y, one, other = np.array(polygons.scan(area, -_FAR, _FAR), dtype=np.int64)
-    rows = y, np.minimum(one, other), np.maximum(one, other)
-    return Piece(rows, curve, near and ends == set(arc))
+    return Piece((y, np.minimum(one, other), np.maximum(one, other)), edge, smooth)
+
+
+def _by_one(values: Ints) -> bool:
+    """Whether no value is farther than 1 from the one before."""
+    return int(abs(values[1:] - values[:-1]).max()) <= 1
 
 
 PIECES = Kept(_piece, 1 << 22)

@@ -35,7 +35,10 @@ class Kept(dict[Any, Made]):
 
 
 def _bytes(made: Iterable[object]) -> int:
-    parts = [part for part in made if isinstance(part, (np.ndarray, tuple))]
-    return _OF_AN_ENTRY + sum(
-        part.nbytes if isinstance(part, np.ndarray) else _bytes(part) for part in parts
-    )
+    total = _OF_AN_ENTRY
+    for part in made:
+        if isinstance(part, np.ndarray):
+            total += part.nbytes
+        elif isinstance(part, tuple):
+            total += _bytes(part)
+    return total
