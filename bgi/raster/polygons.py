@@ -19,6 +19,8 @@ Point = tuple[int, int]
 Path = list[Point]
 Rows = tuple[Sequence[int], Sequence[int], Sequence[int]]
 """y and both ends of rows to fill, the ends in any order."""
+_Side = tuple[int, int, list[int]]
+"""A side's rows, first and last (excluded), and where it crosses them."""
 
 
 def paths(points: Sequence[Point]) -> list[Path]:
@@ -48,7 +50,7 @@ def scan(outline: Sequence[Path], top: int, bottom: int) -> Rows:
     top, bottom = max(top, min(heights, default=0)), min(bottom, max(heights, default=0) - 1)
     height = max(0, bottom + 1 - top)
     down, up = [0] * height, [0] * height
-    found: list[tuple[int, list[int]]] = []
+    found: list[_Side] = []
     rows_down = rows_up = 0
     for path in outline:
         for (x1, y1), (x2, y2) in pairwise(path):
@@ -60,7 +62,7 @@ def scan(outline: Sequence[Path], top: int, bottom: int) -> Rows:
             if first >= last:
                 continue
             crossings = _walk(x1, x2 - x1, y2 - y1, first - y1, last - first)
-            found.append((first - top, crossings))
+            found.append((first, last, crossings))
             if falling:
                 down[first - top : last - top] = crossings
                 rows_down += last - first
@@ -69,7 +71,7 @@ def scan(outline: Sequence[Path], top: int, bottom: int) -> Rows:
                 rows_up += last - first
     if len(outline) == 1 and rows_down == rows_up == height:
         return range(top, bottom + 1), down, up  # every row is crossed once down, once up
-    return _paired(found, top, height)
+    return _paired(found)
 
 
 def _walk(x: int, dx: int, dy: int, below: int, rows: int) -> list[int]:
@@ -81,15 +83,24 @@ def _walk(x: int, dx: int, dy: int, below: int, rows: int) -> list[int]:
     return [numerator // dy for numerator in range(start, start + rows * dx, dx)]
 
 
-def _paired(found: list[tuple[int, list[int]]], top: int, height: int) -> Rows:
-    """Sort the crossings of each row and pair them: the even-odd rule."""
-    crossings: list[list[int]] = [[] for _ in range(height)]
-    for first, side in found:
-        for row, x in enumerate(side, first):
-            crossings[row].append(x)
-    pairs = [
-        (y, left, right)
-        for y, row in enumerate(crossings, top)
-        for left, right in zip(sorted(row)[::2], sorted(row)[1::2], strict=False)
-    ]
-    return [y for y, _, _ in pairs], [x for _, x, _ in pairs], [x for _, _, x in pairs]
+def _paired(sides: list[_Side]) -> Rows:
+    """Pair the crossings of each row, by the even-odd rule: from one end of a side to the next.
+
+    Between them the same sides cross every row.
+    """
+    rows: list[int] = []
+    left: list[int] = []
+    right: list[int] = []
+    for start, stop in pairwise(sorted({end for side in sides for end in side[:2]})):
+        crossing: list[Sequence[int]] = [
+            side[start - first : stop - first]
+            for first, last, side in sides
+            if first <= start and stop <= last
+        ]
+        if len(crossing) > 2:  # two make one pair in any order
+            crossing = list(zip(*map(sorted, zip(*crossing, strict=True)), strict=True))
+        for one, next_one in zip(crossing[::2], crossing[1::2], strict=False):
+            rows += range(start, stop)
+            left += one
+            right += next_one
+    return rows, left, right

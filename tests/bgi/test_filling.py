@@ -1,8 +1,18 @@
 """Filled shapes: boxes and polygons, in every pattern."""
 
+from fractions import Fraction
+from itertools import pairwise
+from math import trunc
+
+import numpy as np
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
 from bgi.kernel.state import KERNEL
+from bgi.memory.page import Page
+from bgi.raster import polygons
+from bgi.raster.patterns import SOLID_ROWS
 from bgi.settings import fillsettingstype
 from tests.pictures import points
 
@@ -180,3 +190,31 @@ def test_setfillpattern_refuses(vga):
         with pytest.raises(ValueError, match="8 bytes"):
             vga.setfillpattern(wrong, 1)
     assert vga.getfillpattern() == b"\xff" * 8
+
+
+def crossings(corners, row):
+    """Where the sides of one path cross a row, by the rule itself."""
+    found = []
+    for (x1, y1), (x2, y2) in pairwise([*corners, corners[0]]):
+        if y1 > y2:
+            x1, y1, x2, y2 = x2, y2, x1, y1
+        if y1 <= row < y2:
+            found.append(x1 + trunc(Fraction((row - y1) * (x2 - x1), y2 - y1)))
+    return sorted(found)
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.lists(st.tuples(st.integers(-20, 80), st.integers(-20, 60)), min_size=3, max_size=9))
+@example([(40, 0), (4, 45), (76, 17), (4, 2), (60, 40)])
+def test_sides_that_cross_are_paired_row_by_row(corners):
+    first = corners[0]
+    corners = [first, *(corner for corner in corners[1:] if corner != first)]  # one path
+    page = Page(memoryview(bytearray(64 * 48)), 64, 48)
+    outline = polygons.paths([*corners, first])
+    page.fill_rows(polygons.scan(outline, 0, 47), 1, SOLID_ROWS)
+    expected = np.zeros((48, 64), int)
+    for row in range(48):
+        ends = crossings(corners, row)
+        for left, right in zip(ends[::2], ends[1::2], strict=True):
+            expected[row, max(left, 0) : max(right + 1, 0)] = 1
+    assert (page.array == expected).all()
