@@ -5,10 +5,12 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 
+from bgi.fonts import read, rom
 from bgi.fonts.chr import encode, parse
 from bgi.fonts.layout import SIZES, Scale, anchor, strokes, textheight, textwidth
 from bgi.fonts.table import STANDARD, FontTable
 from tests.stroked import font_of, segments
+from tools.fonts.rom import table
 
 HELLO = b"Hello, World"
 FONTS = {name: FontTable().load(number) for number, name in enumerate(STANDARD, start=1)}
@@ -165,6 +167,16 @@ def test_shipped_files_are_what_the_generator_makes(name):
     from tools.fonts.make import DATA, made
 
     assert made(name) == (DATA / f"{name}.CHR").read_bytes()
+
+
+@pytest.mark.parametrize("height", rom.HEIGHTS)
+def test_fonts_of_the_rom_are_read_from_tables_in_c(height):
+    rows = read(f"rom8x{height}.bin")
+    numbers = ", ".join(f"0x{row:02x}" for row in rows)
+    text = f"static Bit8u vgafont{height}[256*{height}]=\n{{\n {numbers}\n}};\n"
+    assert table(text, height) == rows
+    with pytest.raises(ValueError, match=f"no table of 256 glyphs, {height} rows high"):
+        table(text.replace("0x", "", 1), height)
 
 
 @named

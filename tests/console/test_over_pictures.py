@@ -16,7 +16,6 @@ PRINTED = 15
 
 ON_PURPOSE = {
     "cprintf_cga": "hidden text is seen there as some stray pixels: text and CGA share memory",
-    "printf_cga": "the letters of a ROM font that we do not have",
 }
 """Cases in which we differ, and what the original does."""
 
