@@ -25,7 +25,7 @@ CALLS: list[Callable[..., object]] = [
 
 
 def state() -> tuple[object, ...]:
-    """The pictures, and the answer of every call that asks for something."""
+    """The pictures, and the answers of all calls that ask for something; the error code is last."""
     screen = current.screen
     return (
         [page.array.tobytes() for page in screen.pages],
@@ -34,7 +34,8 @@ def state() -> tuple[object, ...]:
         *(bgi.getpalette(), bgi.getfillsettings(), bgi.getfillpattern(), bgi.getlinesettings()),
         *(bgi.gettextsettings(), bgi.textwidth("m"), bgi.textheight("m"), bgi.getarccoords()),
         *(bgi.getaspectratio(), bgi.getactivepage(), bgi.getvisualpage(), bgi.getgraphmode()),
-        *(bgi.getcurrentwindow(), mouse.position(), mouse.buttons(), bgi.kbhit()),
-        *(KERNEL.result._code, KERNEL.result.strict, KERNEL.bufsize, KERNEL.seed),
-        *(KERNEL.user_scale, tuple(KERNEL.fonts._names), tuple(KERNEL.drivers._installed)),
+        *(bgi.getcurrentwindow(), mouse.position(), mouse.buttons()),
+        *(KERNEL.result.strict, KERNEL.bufsize, KERNEL.seed, KERNEL.user_scale),
+        *(tuple(KERNEL.fonts._names), tuple(KERNEL.drivers._installed)),
+        KERNEL.result._code,
     )

@@ -46,8 +46,11 @@ class Strict:
     def floodfill(self, x: Numbers, y: Numbers, border: Numbers) -> None:
         """Fill areas that have a border."""
         self._look_at("border", border)
+        pixels = self._screen.page.array
+        before = pixels.copy()
         for one in np.stack(broadcast(x=x, y=y, border=border), axis=-1).tolist():
             if self._screen._overflows(*one):
+                pixels[:] = before  # as the areas before it in the same call were filled
                 reached = f"the area around {one[0]}, {one[1]} reaches all sides of the viewport"
                 KERNEL.result.set(
                     grError, f"{reached}: no outline in color {brief(one[2])} is closed"

@@ -169,6 +169,18 @@ def test_a_flood_within_a_viewport() -> None:
     assert bgi.graphresult() == bgi.grOk
 
 
+def test_of_several_floods_all_are_made_or_none() -> None:
+    bgi.setfillstyle(bgi.SOLID_FILL, bgi.WHITE)
+    bgi.rectangle(10, 10, 20, 20, bgi.RED)
+    before = bgi.getimage(0, 0, 639, 479)
+    with bgi.strict(), pytest.raises(bgi.GraphicsError, match="around 30, 15 reaches all sides"):
+        bgi.floodfill([15, 30], 15, bgi.RED)
+    assert (bgi.getimage(0, 0, 639, 479).array == before.array).all()
+    with bgi.strict():
+        bgi.floodfill([15, 16], 15, bgi.RED)
+    assert bgi.getpixel(15, 15) == bgi.WHITE
+
+
 # On and off
 
 
