@@ -17,7 +17,7 @@ from bgi.bios import bioskey as bioskey
 from bgi.bios import biostime as biostime
 from bgi.errors import BGIError
 from bgi.interrupts.registers import REGPACK, REGS, SREGS
-from bgi.kernel.arguments import Number, real, whole
+from bgi.kernel.arguments import Number, check_kind, real, whole
 from bgi.monitor import moment
 from bgi.monitor.script import LONGEST
 from bgi.stdlib import RAND_MAX as RAND_MAX
@@ -175,9 +175,13 @@ def int86x(intno: Number, inregs: REGS, outregs: REGS | None, segregs: SREGS) ->
     """
     from bgi.interrupts.dispatch import interrupt  # late, as most programs need it never
 
+    target = inregs if outregs is None else outregs
+    check_kind("inregs", inregs, REGS)
+    check_kind("outregs", target, REGS)
+    check_kind("segregs", segregs, SREGS)
     registers = copy(inregs)
     interrupt(whole("intno", intno), registers, segregs)
-    (inregs if outregs is None else outregs).take(registers)
+    target.take(registers)
     return int(registers.x.ax)
 
 
@@ -200,6 +204,7 @@ def intr(intno: Number, preg: REGPACK) -> None:
 
     Source: dos.h.
     """
+    check_kind("preg", preg, REGPACK)
     registers = REGS()
     for name in _PACKED:
         setattr(registers.x, name, getattr(preg, f"r_{name}"))

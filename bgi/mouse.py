@@ -125,7 +125,7 @@ def set_graphics_cursor(x: Number, y: Number, masks: Sequence[Number]) -> None:
     """
     spot = whole("x", x), whole("y", y)
     if max(map(abs, spot)) > CURSOR_SIZE:
-        raise ValueError(f"the hot spot must be within -16 and 16, not {brief(spot)}")
+        raise ValueError(f"x and y, the hot spot, must be within -16 and 16, not {brief(spot)}")
     if length("masks", masks) != 2 * CURSOR_SIZE:
         raise ValueError(f"masks must be 32 numbers, 16 rows of each mask; not {len(masks)}")
     rows = [whole(f"masks[{place}]", row) & 0xFFFF for place, row in enumerate(masks)]

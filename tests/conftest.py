@@ -1,5 +1,6 @@
 """Every test runs without a display; those that want a window say so and start their own."""
 
+import itertools
 import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -15,6 +16,7 @@ from bgi import current
 from bgi.graphics import Graphics
 from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
+from bgi.monitor import moment
 
 pytest_plugins = ["tests.skips"]
 
@@ -23,6 +25,7 @@ pytest_plugins = ["tests.skips"]
 def _fresh() -> Iterator[None]:
     """Begin each test with a fresh kernel and without a screen, and end it so."""
     KERNEL.reset()
+    moment._questions = itertools.count()
     yield
     current.close_screen()
     KERNEL.reset()

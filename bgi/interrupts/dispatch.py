@@ -27,7 +27,7 @@ def interrupt(number: int, r: REGS, s: SREGS) -> None:
     """Do what an interrupt does; ValueError for one, or a function, that is not there."""
     if number not in INTERRUPTS:
         there = ", ".join(f"{known:02X}h" for known in INTERRUPTS)
-        raise ValueError(f"interrupt {number & 0xFFFF:02X}h is not there, only {there}")
+        raise ValueError(f"intno {number & 0xFFFF:02X}h is not there, only {there}")
     asked, functions = INTERRUPTS[number]
     if asked(r) not in functions:
         there = ", ".join(f"{known:02X}h" for known in functions)

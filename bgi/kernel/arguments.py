@@ -119,8 +119,14 @@ def check_function(name: str, value: object) -> None:
 
 def check_text(name: str, value: object) -> None:
     """TypeError, which names the argument, for anything but a str."""
-    if not isinstance(value, str):
-        raise TypeError(f"{name} must be a str, not {type(value).__name__}: {brief(value)}")
+    check_kind(name, value, str)
+
+
+def check_kind(name: str, value: object, kind: type) -> None:
+    """TypeError, which names the argument, for anything but one of a class."""
+    if not isinstance(value, kind):
+        given = type(value).__name__
+        raise TypeError(f"{name} must be a {kind.__name__}, not {given}: {brief(value)}")
 
 
 def real(name: str, value: object) -> int | float:

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import bgi
+from bgi import dos
 from bgi.errors import brief
 from bgi.kernel.state import KERNEL
 from tests.program import CALLS, state
@@ -74,6 +75,9 @@ OTHERS: dict[str, list[Any]] = {
     "buffer": [bytes(9), bytearray(3), *(value for value in NO_BYTES if value is not None)],
     "block": NO_BYTES,
     "source": NO_BYTES,
+    "masks": ["12345678", 7, None, {}, [1] * 31, range(BILLION), ["a"] * 32, [None] * 32],
+    **dict.fromkeys(("inregs", "segregs", "preg"), NO_TEXT),
+    "outregs": [value for value in NO_TEXT if value is not None],
     "pattern": ["12345678", 7, None, {}, [1] * 7, range(BILLION), ["a"] * 8, [None] * 8],
     "palette": ["123", 7, None, {}, range(BILLION), ["a"], [None], [float("nan")]],
     "points": ["1 2", 7, None, {}, [1, 2, 3], [(1, 2), (3,)], ENDLESS, DEEP, *NO_ARRAY],
@@ -92,6 +96,8 @@ FITTING = {
     "s": "12",
     "c": 65,
     "source": bytes(8),
+    "intno": 0x33,
+    "masks": range(32),
     "points": [(1, 2), (30, 4), (5, 6)],
     "text": "ab",
     "pattern": b"12345678",
@@ -105,17 +111,16 @@ FITTING = {
     "key": "a",
     **dict.fromkeys(["handler", "flat", "buffer", "detect"]),
 }
-FITTING_HERE = {
-    **{("setfillstyle", "pattern"): 1, ("setlinestyle", "pattern"): 5, ("biostime", "cmd"): 0},
-    **{
-        ("bioskey", "cmd"): 2,
-        ("initwindow", "height"): 9,
-        ("getmoderange", "driver"): 9,
-        ("registerbgifont", "font"): "MINE",
-    },
-    **{("registerfarbgifont", "font"): "MINE"},
+MADE = {"inregs": dos.REGS, "outregs": dos.REGS, "segregs": dos.SREGS, "preg": dos.REGPACK}
+FITTING_HERE: dict[str, dict[str, Any]] = {
+    "setfillstyle": {"pattern": 1},
+    "setlinestyle": {"pattern": 5},
+    "biostime": {"cmd": 0},
+    "bioskey": {"cmd": 2},
+    "getmoderange": {"driver": 9},
+    "registerbgifont": {"font": "MINE"},
+    "registerfarbgifont": {"font": "MINE"},
 }
-
 ARGUMENTS = [
     pytest.param(call, parameter, id=f"{call.__name__}-{parameter.name}")
     for call in CALLS
@@ -134,8 +139,9 @@ def fitting(call: Callable[..., object], parameter: inspect.Parameter) -> dict[s
     """Arguments that a call takes, where one of them is to be tried."""
     if parameter.name == "flat":
         return {"points": 1}
+    fits = FITTING | FITTING_HERE.get(call.__name__, {})
     return {
-        name: FITTING_HERE.get((call.__name__, name), FITTING.get(name, 1))
+        name: MADE[name]() if name in MADE else fits.get(name, 1)
         for name, one in inspect.signature(call).parameters.items()
         if one.default is one.empty and one.kind is not one.VAR_POSITIONAL
     }
@@ -213,14 +219,13 @@ def test_numbers_of_any_size(
 def test_what_means_a_number_is_taken_as_one(
     call: Callable[..., object], parameter: inspect.Parameter, begin: Callable[[], None]
 ) -> None:
-    arguments = fitting(call, parameter)
-    number = arguments.get(parameter.name, 1)
+    number = fitting(call, parameter).get(parameter.name, 1)
     same = [number, number + 0.75, np.int16(number), np.float32(number + 0.5)]
     same += [np.array(number), np.array(number + 0.5), *([True, np.True_] if number == 1 else [])]
     seen = []
     for value in same:
         begin()
-        answer = call(**arguments | {parameter.name: value})
+        answer = call(**fitting(call, parameter) | {parameter.name: value})
         plain = isinstance(answer, (int, tuple, str, bytes))
         seen.append((answer if plain else type(answer), left()))
     assert [*map(seen[0].__eq__, seen)] == [True] * len(same)
