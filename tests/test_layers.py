@@ -28,6 +28,7 @@ LAYERS = [
     "bgi.raster.kept",
     "bgi.raster.brush",
     "bgi.raster.patterns",
+    "bgi.raster.shortlines",
     "bgi.raster.polygons",
     "bgi.raster.ellipses",
     "bgi.raster.spans",

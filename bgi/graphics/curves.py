@@ -10,7 +10,7 @@ from bgi.kernel.arguments import Number, Numbers, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import ellipses, lines, polygons
 from bgi.raster.ellipses import CURVES, DISCS, PIECES, THICK_CURVES
-from bgi.raster.patterns import EMPTY_ROWS, SOLID_MASK
+from bgi.raster.patterns import EMPTY_ROWS, SOLID
 from bgi.settings import arccoordstype
 
 
@@ -133,14 +133,14 @@ class Curves(Pen):
             for side in np.stack(ellipses.thick_sides(start, end, rx, ry), axis=-1).tolist():
                 x1, y1, x2, y2 = side
                 for strand in self._strands(x + x1, y + y1, x + x2, y + y2):
-                    self.page.styled_line(strand, self._ink, SOLID_MASK, self._xor)
+                    self.page.styled_line(*strand, self._ink, SOLID, self._xor)
             return
         figure = THICK_CURVES[start, end, rx, ry, self._xor, self.page.trace, self.page.width]
         if not self.page.put_offsets(x, y, figure, self._ink, self._xor):
             x1, y1, x2, y2 = ellipses.thick_sides(start, end, rx, ry)
             strands = lines.strands_many((x + x1, y + y1, x + x2, y + y2))
             colors = np.full(len(strands[0]), self._ink)
-            self.page.line_many(strands, colors, SOLID_MASK, self._xor)
+            self.page.line_many(strands, colors, SOLID, self._xor)
 
     # Filled
 

@@ -182,7 +182,7 @@ class Filling(Pen):
             if self._thick:
                 segments, owners = lines.strands_many(segments), np.repeat(owners, 3)
             filled = NO_SPANS if rows == EMPTY_ROWS else found
-            self.page.paint(filled, fills, rows, segments, owners, colors, self._pattern)
+            self.page.paint(filled, fills, rows, segments, owners, colors, self._dashes)
 
     # Flood filling
 

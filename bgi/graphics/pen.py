@@ -19,6 +19,7 @@ from bgi.raster import brush, lines, polygons, spans
 from bgi.raster.lines import Segment, Segments
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Path, Point
+from bgi.raster.shortlines import LONGEST, SHORT_LINES
 from bgi.raster.spans import Edges
 
 FEW = 256
@@ -53,14 +54,33 @@ class Pen(State):
 
     def _segment(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """One line between absolute points, in line style, width and write mode."""
+        page = self.page
         if self._plain:
-            self.page.line(x1, y1, x2, y2, color)
-            return
-        for strand in self._strands(x1, y1, x2, y2):
-            if self._solid:
-                self.page.line(*strand, color)
-            else:
-                self.page.styled_line(strand, color, self._pattern, self._xor)
+            page.line(x1, y1, x2, y2, color)
+        elif self._wide:
+            for strand in self._strands(x1, y1, x2, y2):
+                if self._xor:
+                    page.styled_line(*strand, color, self._dashes, True)
+                else:
+                    page.line(*strand, color)
+        elif self._solid:
+            page.thick_line(x1, y1, x2, y2, color)
+        else:
+            self._styled(x1, y1, x2, y2, color)
+
+    def _styled(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
+        """One line in a line pattern or by XOR, thin or thick."""
+        dx, dy, page = x2 - x1, y2 - y1, self.page
+        style, xor = self._dashes, self._xor
+        if -LONGEST <= dx <= LONGEST and -LONGEST <= dy <= LONGEST:
+            figure = SHORT_LINES[dx, dy, style.bits, self._thick, xor, page.trace, page.width]
+            if page.put_offsets(x1, y1, figure, color, xor):
+                return
+        if self._thick:
+            for strand in lines.strands(x1, y1, x2, y2):
+                page.styled_line(*strand, color, style, xor)
+        else:
+            page.styled_line(x1, y1, x2, y2, color, style, xor)
 
     def _strands(self, x1: int, y1: int, x2: int, y2: int) -> list[Segment]:
         """The thin lines that make one in the line width."""
@@ -95,7 +115,7 @@ class Pen(State):
             return
         if self._thick:
             segments, colors = lines.strands_many(segments), np.repeat(colors, 3)
-        self.page.line_many(segments, colors, self._pattern, self._xor)
+        self.page.line_many(segments, colors, self._dashes, self._xor)
 
     # Areas
 

@@ -27,8 +27,8 @@ from bgi.raster.patterns import (
     LINE_PATTERNS,
     SOLID_BITS,
     SOLID_ROWS,
+    dashes,
     highest_first,
-    line_mask,
     shifted_half,
 )
 from bgi.settings import Settings, palettetype, viewporttype
@@ -104,7 +104,7 @@ class State:
         self._wide = width > THICK_WIDTH
         if self._wide:  # a brush draws no gaps
             bits = SOLID_BITS
-        self._pattern = line_mask(highest_first(bits) if self._packed else bits)
+        self._dashes = dashes(highest_first(bits) if self._packed else bits)
         self._thick = thick = width >= THICK_WIDTH
         self._xor = xor = self.settings.writemode != COPY_PUT
         self._solid = solid = bits == SOLID_BITS and not xor

@@ -25,7 +25,7 @@ from bgi.graphics.screen import State
 from bgi.kernel.arguments import Number, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster.lines import Segment
-from bgi.raster.patterns import SOLID_MASK
+from bgi.raster.patterns import SOLID
 from bgi.settings import textsettingstype
 
 MAX_CHARSIZE = 10
@@ -186,7 +186,7 @@ class Text(State):
         for x1, y1, x2, y2 in strokes:
             line = x + x1, y + y1, x + x2, y + y2
             if self._xor:
-                self.page.styled_line(line, self._ink, SOLID_MASK, True)
+                self.page.styled_line(*line, self._ink, SOLID, True)
             else:
                 self.page.line(*line, self._ink)
 

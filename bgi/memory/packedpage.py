@@ -8,13 +8,13 @@ too (Turbo C++ 3.0, captured).
 from bgi.memory.page import Page
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
-from bgi.raster.lines import Ints, Segment
 
 
 class PackedPage(Page):
     """A page whose lines run rightward."""
 
     trace = staticmethod(lines.trace_rightward)
+    course = staticmethod(lines.course_rightward)
 
     def line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """A thin solid line."""
@@ -23,6 +23,7 @@ class PackedPage(Page):
             left, right = sorted((visible[:2], visible[2:]))
             pygame.draw.line(self._surface, color, right, left)
 
-    def _places(self, segment: Segment) -> Ints:
-        x1, y1, x2, y2 = segment
-        return lines.places((y2, x2, y1, x1), self.width, 1)
+    def thick_line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
+        """A thick solid line."""
+        for strand in lines.strands(x1, y1, x2, y2):
+            self.line(*strand, color)

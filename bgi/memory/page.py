@@ -9,20 +9,23 @@ import numpy as np
 
 from bgi.memory.areas import Areas
 from bgi.memory.boxes import between
-from bgi.memory.pixmap import Mask
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
 from bgi.raster.ellipses import Curve
 from bgi.raster.lines import Ints, Segments
 from bgi.raster.offsets import Offsets
-from bgi.raster.patterns import SOLID_MASK
+from bgi.raster.patterns import SOLID, Dashes
 from bgi.raster.spans import Spans
+
+_LONG = 48
+"""Steps of a line on average: from here on one line after another is faster than all at once."""
 
 
 class Page(Areas):
     """A page to draw lines, curves and polygons with their outlines on."""
 
     trace = staticmethod(lines.trace_many)
+    course = staticmethod(lines.course)
     """How the driver draws lines."""
 
     # Lines
@@ -40,49 +43,100 @@ class Page(Areas):
             if visible is None:
                 return
             x1, y1, x2, y2 = visible
+        if y1 == y2:
+            first, last = (x1, x2) if x1 < x2 else (x2, x1)
+            row = y1 * self.width
+            self.flat[row + first : row + last + 1] = color
+        elif x1 == x2:
+            first, last = (y1, y2) if y1 < y2 else (y2, y1)
+            self.array[first : last + 1, x1] = color
         # From its lower end to its upper one, pygame's line (Bresenham's, too) sets exactly the
         # driver's pixels: ties step to the same side.
-        if y1 < y2:
-            x1, y1, x2, y2 = x2, y2, x1, y1
-        pygame.draw.line(self._surface, color, (x1, y1), (x2, y2))
-
-    def styled_line(self, segment: lines.Segment, color: int, pattern: Mask, xor: bool) -> None:
-        """A thin line in a pattern, from its first clipped pixel on."""
-        visible = lines.clip(*segment, self.box)
-        if visible is None:
-            return
-        place = self._places(visible)
-        if pattern is not SOLID_MASK:
-            place = place[pattern[: len(place)]]
-        if xor:  # no pixel occurs twice in one line
-            self.flat[place] ^= color
+        elif y1 < y2:
+            pygame.draw.line(self._surface, color, (x2, y2), (x1, y1))
         else:
-            self.flat[place] = color
+            pygame.draw.line(self._surface, color, (x1, y1), (x2, y2))
 
-    def _places(self, segment: lines.Segment) -> Ints:
-        """The pixels of a thin line within the clipping box, in drawing order."""
-        return lines.places(segment, 1, self.width)
+    def thick_line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
+        """A thick solid line: three thin ones, each clipped on its own."""
+        if y1 == y2:
+            self.fill(x1, y1 - 1, x2, y1 + 1, color)
+        elif x1 == x2:
+            self.fill(x1 - 1, y1, x1 + 1, y2, color)
+        elif (
+            self._left < x1 < self._right
+            and self._left < x2 < self._right
+            and self._top < y1 < self._bottom
+            and self._top < y2 < self._bottom
+            and abs(x2 - x1) != abs(y2 - y1)  # pygame widens diagonals in x, the kernel in y
+        ):
+            if y1 < y2:
+                x1, y1, x2, y2 = x2, y2, x1, y1
+            pygame.draw.line(self._surface, color, (x1, y1), (x2, y2), 3)
+        else:
+            for strand in lines.strands(x1, y1, x2, y2):
+                self.line(*strand, color)
 
-    def line_many(self, segments: Segments, colors: Ints, pattern: Mask, xor: bool) -> None:
+    def styled_line(
+        self, x1: int, y1: int, x2: int, y2: int, color: int, style: Dashes, xor: bool
+    ) -> None:
+        """A thin line in a pattern, from its first clipped pixel on."""
+        left, top, right, bottom = self.box
+        if not (
+            left <= x1 <= right
+            and left <= x2 <= right
+            and top <= y1 <= bottom
+            and top <= y2 <= bottom
+        ):
+            visible = lines.clip(x1, y1, x2, y2, self.box)
+            if visible is None:
+                return
+            x1, y1, x2, y2 = visible
+        first, n, m, along, across = course = self.course(x1, y1, x2, y2, self.width)
+        pixels = self.flat
+        place: Ints | slice
+        if m == 0 or m == n:  # level, upright or diagonal: every so many places
+            pixels = pixels[first :: along + across if m else along]
+            place = slice(n + 1) if style is SOLID else style.upto(n)
+        else:
+            place = lines.places(course, style.upto(n))
+        if not xor:
+            pixels[place] = color
+            return
+        drawn = pixels[place]  # where no pixel occurs twice
+        drawn ^= np.array(color, drawn.dtype)
+        if drawn.base is None:  # a copy, not a view
+            pixels[place] = drawn
+
+    def line_many(self, segments: Segments, colors: Ints, style: Dashes, xor: bool) -> None:
         """Thin lines one after another, each in its colour."""
-        for place, which in self._trace(segments, pattern):
+        visible, kept = lines.clip_many(segments, self.box)
+        colors = colors[kept]
+        if lines.steps_of(visible).sum() > _LONG * len(kept):
+            x1, y1, x2, y2, inks = (each.tolist() for each in (*visible, colors))
+            for a, b, c, d, ink in zip(x1, y1, x2, y2, inks, strict=True):
+                if style is SOLID and not xor:
+                    self.line(a, b, c, d, ink)
+                else:
+                    self.styled_line(a, b, c, d, ink, style, xor)
+            return
+        for place, which in self._trace(visible, style):
             if xor:  # where lines cross, both count
                 np.bitwise_xor.at(self.flat, place, colors[which].astype(self.flat.dtype))
             else:
                 self.flat[place] = colors[which]
 
-    def _trace(self, segments: Segments, pattern: Mask) -> Iterator[tuple[Ints, Ints]]:
-        """The pixels of many lines, clipped: their places, and which line each belongs to."""
-        visible, kept = lines.clip_many(segments, self.box)
-        x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in visible)
-        lengths = np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1
-        for part in lines.grouped(lengths, lines.CHUNK):
+    def _trace(self, segments: Segments, style: Dashes) -> Iterator[tuple[Ints, Ints]]:
+        """The pixels of many lines within the clipping box, and which line each belongs to."""
+        x1, y1, x2, y2 = (end.astype(np.int64, copy=False) for end in segments)
+        for part in lines.grouped(lines.steps_of(segments) + 1, lines.CHUNK):
             x, y, step, which = self.trace((x1[part], y1[part], x2[part], y2[part]))
             place = y * self.width + x
-            if pattern is not SOLID_MASK:
-                drawn = pattern[step]
+            which += part.start
+            if style is not SOLID:
+                drawn = style.drawn[step]
                 place, which = place[drawn], which[drawn]
-            yield place, kept[part][which]
+            yield place, which
 
     def outline(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
         """The four sides of a box, thin and solid; corners in any order."""
@@ -113,7 +167,7 @@ class Page(Areas):
         sides: Segments,
         owners: Ints,
         colors: Ints,
-        pattern: Mask,
+        style: Dashes,
     ) -> None:
         """Polygons in painter's order: one's spans and sides, then the next one's over them.
 
@@ -124,7 +178,9 @@ class Page(Areas):
         if covered:
             last_fill = np.full(self.flat.shape, -1, dtype=np.int32)
             last_fill[place] = np.repeat(spans.owner, lengths)
-        for edge, side in self._trace(sides, pattern):
+        visible, kept = lines.clip_many(sides, self.box)
+        owners = owners[kept]
+        for edge, side in self._trace(visible, style):
             drawn_by = owners[side]
             if covered:  # a pixel of a side stays unless a later polygon's fill covers it
                 survives = last_fill[edge] <= drawn_by
@@ -157,7 +213,7 @@ class Page(Areas):
         ):
             pixels = self.flat[(y + top) * self.width + x + left :]
             if xor:
-                pixels[place] ^= color
+                pixels[place] ^= np.array(color, pixels.dtype)  # faster than by an int
             else:
                 pixels[place] = color
             return True

@@ -39,8 +39,8 @@ FILL_PATTERNS = [
 EMPTY_ROWS = FILL_PATTERNS[0]
 SOLID_ROWS = FILL_PATTERNS[1]
 
-_MAX_LENGTH = 1 << 13
-"""Pixels: more than a line has on any page."""
+_MAX_LENGTH = 1 << 12
+"""Pixels: as many as a line can have on any page."""
 
 
 def highest_first(pattern: int) -> int:
@@ -53,13 +53,30 @@ def shifted_half(rows: bytes) -> bytes:
     return bytes(row << 4 & 0xF0 | row >> 4 for row in rows)
 
 
+class Dashes(NamedTuple):
+    """A line pattern, spelt out for the longest line there is."""
+
+    bits: int
+    drawn: NDArray[np.bool_]
+    """Whether a step draws, counted from the line's beginning."""
+    steps: NDArray[np.int64]
+    """The steps that draw."""
+    counts: memoryview
+    """How many draw up to a step, itself included."""
+
+    def upto(self, last: int) -> NDArray[np.int64]:
+        """The steps that draw, up to the last one of a line."""
+        return self.steps[: self.counts[last]]
+
+
 @lru_cache(maxsize=64)
-def line_mask(pattern: int) -> NDArray[np.bool_]:
-    """The bits of a line pattern as booleans, in drawing order, for the longest line there is."""
-    return np.tile((pattern >> np.arange(16) & 1).astype(bool), _MAX_LENGTH // 16)
+def dashes(bits: int) -> Dashes:
+    """A line pattern by its bits."""
+    drawn = np.tile((bits >> np.arange(16) & 1).astype(bool), _MAX_LENGTH // 16)
+    return Dashes(bits, drawn, np.flatnonzero(drawn), drawn.cumsum(dtype=np.uint16).data)
 
 
-SOLID_MASK = line_mask(SOLID_BITS)
+SOLID = dashes(SOLID_BITS)
 
 
 class Ink(NamedTuple):

@@ -14,7 +14,7 @@ from bgi.graphics.pen import FEW
 from bgi.kernel.arguments import LIMIT
 from bgi.kernel.modes import find, window
 from bgi.kernel.state import KERNEL
-from bgi.raster import polygons
+from bgi.raster import lines, polygons
 from tests.stroked import segments
 
 LEFT, TOP, RIGHT, BOTTOM = 40, 30, 139, 99
@@ -39,11 +39,12 @@ styles = st.tuples(
 
 # Drivers that draw differently: by planes, and packed in four colours and two
 modes = st.sampled_from([(VGA, VGAHI), (CGA, CGAC0), (CGA, CGAHI)])
+WINDOW = (0, 0)  # of 16 million colours
 
 
 def screen(style=(0, 0, 1, 0, 1), viewport=True, background=True, mode=(VGA, VGAHI)):
     """A screen with a pattern on it, a viewport and styles."""
-    made = Graphics(find(*mode))
+    made = Graphics(window(320, 200) if mode == WINDOW else find(*mode))
     if background:
         made.page.flat[:] = np.arange(made.page.flat.size) % min(13, made.mode.colors)
     line_style, pattern, width, write_mode, fill = style
@@ -309,6 +310,61 @@ def test_pygames_line_in_every_slope():
             xs, ys, _, _ = trace_many(np.array([[50, 35, 50 + dx, 35 + dy]]).T)
             traced.putpixel(xs, ys, 14)
             assert (made.page.array == traced.page.array).all(), (dx, dy)
+
+
+# Both packed drivers, planes, and a window of 16 million colours
+depths = st.sampled_from([(VGA, VGAHI), (CGA, CGAC0), (CGA, CGAHI), WINDOW])
+anywhere = st.one_of(near, st.integers(0, 639), huge)
+
+
+@quick
+@given(style=styles, rows=st.lists(st.tuples(*[anywhere] * 4), max_size=6), mode=depths)
+@example(style=(4, 0x8001, 1, 1, 1), rows=[(10, 10, 309, 190), (309, 10, 10, 190)], mode=WINDOW)
+def test_a_line_is_what_the_array_of_it_is(style, rows, mode):
+    """Single lines have ways of their own: short ones, level ones, long ones, thick ones."""
+    for viewport in (False, True):
+        one, many = screen(style, viewport, mode=mode), screen(style, viewport, mode=mode)
+        for row in rows:
+            one.line(*row)
+        with patch("bgi.memory.page._LONG", 1 << 60):  # else an array of long ones is a loop, too
+            many.line(*np.array(rows, object).reshape(-1, 4).T)
+        assert (one.page.array == many.page.array).all()
+
+
+@pytest.mark.parametrize("width", [1, 3])
+@pytest.mark.parametrize("pattern", [0xFFFF, 0xC0F1])
+@pytest.mark.parametrize("xor", [0, 1])
+def test_lines_in_every_slope_are_what_their_array_is(width, pattern, xor):
+    ends = [(dx, dy) for dx in range(-40, 41, 2) for dy in range(-36, 37)]
+    x2, y2 = np.array(ends).T
+    for mode in ((VGA, VGAHI), (CGA, CGAHI)):
+        one, many = (screen((4, pattern, width, xor, 1), mode=mode) for _ in range(2))
+        for dx, dy in ends:
+            one.line(50, 40, 50 + dx, 40 + dy)
+        with patch("bgi.memory.page._LONG", 1 << 60):
+            many.line(50, 40, 50 + x2, 40 + y2)
+        assert (one.page.array == many.page.array).all()
+
+
+@quick
+@given(style=styles, row=st.tuples(*[anywhere] * 4), mode=depths)
+def test_a_rectangle_is_four_lines_in_every_style(style, row, mode):
+    one, other = screen(style, mode=mode), screen(style, mode=mode)
+    left, top, right, bottom = row
+    one.rectangle(*row)
+    other.line(left, top, right, top)
+    other.line(right, top, right, bottom)
+    other.line(right, bottom, left, bottom)
+    other.line(left, bottom, left, top)
+    assert (one.page.array == other.page.array).all()
+
+
+@given(n=st.integers(2, 4095), data=st.data())
+def test_every_pixel_of_a_long_line_is_that_of_the_rule(n, data):
+    m = data.draw(st.integers(1, n - 1))
+    steps = np.arange(n + 1)
+    expected = 77 + 3 * steps - 5000 * ((2 * m * steps + n) // (2 * n))
+    assert (lines.places((77, n, m, 3, -5000), steps) == expected).all()
 
 
 def rightward(x1, y1, x2, y2):

@@ -1,0 +1,26 @@
+"""Short lines in a pattern, thick or for XOR: kept as offsets by where they lead."""
+
+import numpy as np
+
+from bgi.raster import lines
+from bgi.raster.kept import Kept
+from bgi.raster.lines import Trace
+from bgi.raster.offsets import Offsets, each_once, offsets, reach
+from bgi.raster.patterns import dashes
+
+LONGEST = 32
+"""Steps in x and y that a short line may have."""
+
+
+def _short_line(
+    dx: int, dy: int, bits: int, thick: bool, xor: bool, trace: Trace, width: int
+) -> Offsets:
+    """A line from 0, 0 in a style, on pages of one width."""
+    x1 = y1 = np.zeros(1, np.int64)
+    line = x1, y1, x1 + dx, y1 + dy
+    x, y, step, _ = trace(lines.strands_many(line) if thick else line)
+    place = (y * width + x)[dashes(bits).drawn[step]]
+    return offsets(each_once(place, xor), reach(x, y), width)
+
+
+SHORT_LINES = Kept(_short_line, 1 << 21)
