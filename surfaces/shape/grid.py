@@ -54,6 +54,8 @@ class Grid:
     """The range that the heights were cut to, if any."""
     value: rim.Value | None = None
     """The function whose heights they are, cut like them; None if there is none."""
+    known_rim: Rim | None = None
+    """Its `rim`, if that has been found already."""
 
     @classmethod
     def sample(
@@ -128,6 +130,8 @@ class Grid:
     @cached_property
     def rim(self) -> Rim | None:
         """What there is of cells at the edge of a hole; None where there are no holes."""
+        if self.known_rim is not None:
+            return self.known_rim
         if np.isfinite(self.z).all():
             return None
         if self.value is not None:
@@ -184,6 +188,7 @@ class Grid:
             self.z - z,
             None if limits is None else (limits[0] - z, limits[1] - z),
             None if value is None else lambda across, along: value(across + x, along + y) - z,
+            None if self.rim is None else self.rim.around(origin),
         )
 
     @property

@@ -11,12 +11,12 @@ triangle of the other three.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from surfaces.arrays import Bools, Doubles, Ints
-from surfaces.shape.cells import quads, with_three_corners
+from surfaces.shape.cells import all_corners, with_three_corners
 
 Value = Callable[[Doubles, Doubles], Doubles]
 """Heights at points; NaN where there is none."""
@@ -41,6 +41,10 @@ class Rim:
     the number of nodes on, of a point."""
     cell: Ints
     """(m,): the number of the cell that each is part of."""
+
+    def around(self, origin: Doubles) -> "Rim":
+        """The same with its coordinates counted from a point, (3,)."""
+        return replace(self, points=self.points - origin)
 
     def triangles(self, nodes: Doubles) -> Doubles:
         """The parts as triangles in space, (2 m, 3, 3); `nodes` are the grid's, (n, 3)."""
@@ -70,45 +74,46 @@ PIECES = [_pieces(case) if 0 < case < 15 else [] for case in range(16)]
 
 def find(value: Value, x: Doubles, y: Doubles, z: Doubles) -> Rim:
     """The rims of holes, NaN, in a function's heights z[i, j] at x[i], y[j]."""
-    there = np.isfinite(z)
-    index = np.arange(z.size).reshape(z.shape)
-    # Neighbours of which one is there, along x and along y.
-    pairs = [
-        np.stack((here[ends], behind[ends]), axis=-1)
-        for here, behind, ends in (
-            (index[:-1], index[1:], there[:-1] != there[1:]),
-            (index[:, :-1], index[:, 1:], there[:, :-1] != there[:, 1:]),
-        )
-    ]
-    node, hole = np.concatenate(pairs).T
-    node, hole = np.where(there.ravel()[node], (node, hole), (hole, node))
+    there, width = np.isfinite(z), z.shape[1]
+    cells, corners = _mixed(there)
+    inside = there.ravel()[corners]
+    # The sides between a node and a hole, once each, by their first node and their way.
+    ends = inside != np.roll(inside, -1, axis=1)
+    a, b, _, d = corners.T
+    sides = np.stack((2 * a, 2 * b + 1, 2 * d, 2 * a + 1), axis=1)
+    once, which = np.unique(sides[ends], return_inverse=True)
+    first, along_y = np.divmod(once, 2)
+    second = first + np.where(along_y, 1, width)
+    node, hole = np.where(there.ravel()[first], (first, second), (second, first))
     points, known = _ends(value, x, y, z, node, hole)
 
-    # For every neighbour along x and along y the number of the end between them, or -1.
-    number = np.where(known, z.size + np.cumsum(known) - 1, -1)
-    along_x, along_y = np.full(index[:-1].shape, -1), np.full(index[:, :-1].shape, -1)
-    along_x[there[:-1] != there[1:]] = number[: len(pairs[0])]
-    along_y[there[:, :-1] != there[:, 1:]] = number[len(pairs[0]) :]
-
-    sides = (along_x[:, :-1], along_y[1:], along_x[:, 1:], along_y[:-1])
-    places = np.concatenate((quads(index[..., None])[..., 0], np.stack(sides, axis=-1)), axis=-1)
-    places = places.reshape(-1, 8)
-    case = quads(there[..., None].astype(np.int64))[..., 0].reshape(-1, 4) @ (1, 2, 4, 8)
-    cells, corners = [np.zeros(0, np.int64)], [np.zeros((0, 4), np.int64)]
-    for pieces, which in zip(PIECES, (np.flatnonzero(case == n) for n in range(16)), strict=True):
-        known_ends = (places[which][:, sorted({*sum(pieces, ())})] >= 0).all(axis=1)
+    # A cell's corners, and the numbers of the ends on its sides, or -1.
+    places = np.concatenate((corners, np.full(corners.shape, -1)), axis=1)
+    places[:, 4:][ends] = np.where(known, z.size + np.cumsum(known) - 1, -1)[which]
+    case = inside @ (1, 2, 4, 8)
+    owners, parts = [np.zeros(0, np.int64)], [np.zeros((0, 4), np.int64)]
+    for pieces, found in zip(PIECES, (np.flatnonzero(case == n) for n in range(16)), strict=True):
+        found = found[(places[found][:, sorted({*sum(pieces, ())})] >= 0).all(axis=1)]
         for piece in pieces:
-            cells.append(which[known_ends])
-            corners.append(places[which[known_ends]][:, piece])
-    return Rim(points[known], node[known], np.concatenate(corners), np.concatenate(cells))
+            owners.append(cells[found])
+            parts.append(places[found][:, piece])
+    return Rim(points[known], node[known], np.concatenate(parts), np.concatenate(owners))
 
 
 def of_data(z: Doubles) -> Rim:
     """The rims of holes, NaN, in heights that are known at the nodes only."""
-    index = np.arange(z.size).reshape(z.shape)
-    corners = quads(index[..., None])[..., 0].reshape(-1, 4)
-    cell, corners = with_three_corners(corners, np.isfinite(z).ravel()[corners])
-    return Rim(np.zeros((0, 3)), np.zeros(0, np.int64), corners, cell)
+    there = np.isfinite(z)
+    cells, corners = _mixed(there)
+    three, corners = with_three_corners(corners, there.ravel()[corners])
+    return Rim(np.zeros((0, 3)), np.zeros(0, np.int64), corners, cells[three])
+
+
+def _mixed(there: Bools) -> tuple[Ints, Ints]:
+    """The cells of which some corners are there and some are not, (m,), and the corners, (m, 4)."""
+    cells = np.flatnonzero(~(all_corners(there) | all_corners(~there)))
+    width = there.shape[1]
+    first = cells + cells // (width - 1)
+    return cells, first[:, None] + np.array((0, width, width + 1, 1))
 
 
 def _ends(
