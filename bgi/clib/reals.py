@@ -4,8 +4,6 @@ Each function takes a number without a sign, and whether the point stands also w
 it. What lies halfway between two roundings becomes the even one.
 """
 
-from decimal import Decimal
-
 DIGITS = 15
 """Significant digits of a double, whatever the precision; zeros follow."""
 
@@ -13,8 +11,12 @@ DIGITS = 15
 def fixed(number: float, precision: int, point: bool) -> str:
     """As %f: digits before and behind the point."""
     rounded = f"{number:.{DIGITS - 1}e}"
-    exact = int(rounded.partition("e")[2]) + precision < DIGITS
-    digits = f"{number if exact else Decimal(rounded):.{precision}f}"
+    if int(rounded.partition("e")[2]) + precision < DIGITS:
+        digits = f"{number:.{precision}f}"
+    else:
+        from decimal import Decimal  # late, as it takes longer to import than all else here
+
+        digits = f"{Decimal(rounded):.{precision}f}"
     return digits + "." if point and not precision else digits
 
 

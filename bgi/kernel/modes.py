@@ -5,7 +5,7 @@ chosen: every mode has at least two pages, so that double buffering works everyw
 own number stands beside it), and the 8514 driver reports all of its 256 colours.
 """
 
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from bgi.constants import (
     ATT400,
@@ -26,8 +26,7 @@ YASP = 10_000
 """The second number of every mode's aspect ratio: getaspectratio() returns xasp, YASP."""
 
 
-@dataclass(frozen=True, slots=True)
-class Driver:
+class Driver(NamedTuple):
     """A .BGI file: its name, and how it draws where drivers differ (Turbo C++ 3.0, captured)."""
 
     name: str
@@ -56,8 +55,7 @@ DRIVERS = {
 """The drivers by number; those that have not been studied draw like EGAVGA."""
 
 
-@dataclass(frozen=True, slots=True)
-class GraphicsMode:
+class GraphicsMode(NamedTuple):
     """One row of the table."""
 
     driver: int
@@ -79,11 +77,11 @@ class GraphicsMode:
     """4 in a window: an index, or a colour of its own as `bgi.memory.rgb` writes it."""
     square: bool = False
     """Whether its pixels are shown as squares; else the picture is stretched to 4:3."""
-    maxcolor: int = field(init=False)
-    """The largest colour index, which is also the mask of a pixel's bits."""
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "maxcolor", self.colors - 1)
+    @property
+    def maxcolor(self) -> int:
+        """The largest colour index, which is also the mask of a pixel's bits."""
+        return self.colors - 1
 
     @property
     def is_window(self) -> bool:
