@@ -12,10 +12,12 @@ pointers, Python returns. The rest of conio.h and dos.h is in `bgi.conio` and `b
 driver in `bgi.mouse`.
 """
 
+from bgi import bios as bios
 from bgi import conio as conio
 from bgi import dos as dos
 from bgi import keyboard as keyboard
 from bgi import mouse as mouse
+from bgi import stdlib as stdlib
 from bgi.api.clicks import *
 from bgi.api.curves import *
 from bgi.api.drawing import *

@@ -9,7 +9,6 @@ bgi.dos import random, bioskey`: see `bgi.stdlib` and `bgi.bios`.
 from __future__ import annotations
 
 import time as _time
-from copy import copy
 from dataclasses import dataclass
 
 from bgi import current
@@ -175,14 +174,13 @@ def int86x(intno: Number, inregs: REGS, outregs: REGS | None, segregs: SREGS) ->
     """
     from bgi.interrupts.dispatch import interrupt  # late, as most programs need it never
 
-    target = inregs if outregs is None else outregs
+    answer = inregs if outregs is None else outregs
     check_kind("inregs", inregs, REGS)
-    check_kind("outregs", target, REGS)
+    check_kind("outregs", answer, REGS)
     check_kind("segregs", segregs, SREGS)
-    registers = copy(inregs)
-    interrupt(whole("intno", intno), registers, segregs)
-    target.take(registers)
-    return int(registers.x.ax)
+    answer.take(inregs)
+    interrupt(whole("intno", intno), answer, segregs)
+    return int(answer.x.ax)
 
 
 def intdos(inregs: REGS, outregs: REGS | None = None) -> int:

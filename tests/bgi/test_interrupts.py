@@ -18,7 +18,6 @@ from bgi.interrupts import int10h, int33h
 from bgi.interrupts.dispatch import INTERRUPTS
 from bgi.memory.card import BLINKING, BRIGHT, NO_CURSOR
 from bgi.memory.rgb import ega_rgb
-from bgi.monitor import moment
 from bgi.monitor.pointer import MOVED, pressed
 
 VIDEO, KEYBOARD, CLOCK, DOS, MOUSE = 0x10, 0x16, 0x1A, 0x21, 0x33
@@ -366,7 +365,6 @@ class TestKeyboard:
 
 def scripted_noon(monkeypatch: pytest.MonkeyPatch) -> None:
     """The clock stands at noon of 1 January 1992, a Wednesday."""
-    monkeypatch.setattr(moment, "_questions", itertools.count())
     type_keys(monkeypatch, "a")
 
 
