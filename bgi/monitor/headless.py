@@ -20,6 +20,7 @@ from bgi.monitor.plan import Plan, saving
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.timeline import Timeline
+from bgi.monitor.waiting import Waiting
 
 # Milliseconds that it takes ...
 PICTURE = 1000 / 60  # to show a picture
@@ -60,6 +61,7 @@ class Headless:
         self._began = moment.now()
         self._card = card
         self._idling = Idling(card) if card is not None else None
+        self._waiting = Waiting(card) if card is not None else None
         self._plan = plan or Plan.from_environment(keys)
         neighbour = beside if isinstance(beside, Headless) else None
         self._time: Timeline = neighbour._time if neighbour else Timeline(self._plan.keys)
@@ -80,7 +82,7 @@ class Headless:
 
     def show(self) -> None:
         """Count one picture."""
-        self._wait_for_time()
+        self._wait_for_time(PICTURE)
         self.shown += 1
         self._pass(PICTURE)
 
@@ -124,18 +126,28 @@ class Headless:
     def _rest_in_vain(self) -> None:
         """Let a program rest that asks only for what never comes: keys, clicks, nor an end."""
         never = self._plan.after == math.inf == self._time.next_key()
-        if never and self._idling is not None and self._idling.count_question():
+        if not never or self._idling is None or self._waiting is None:
+            return
+        if self._idling.count_question():
             time.sleep(REST_SECONDS)
+            self._waiting.rest()
+        if self._waiting.is_endless():
+            raise NobodyThere(
+                "the program waits for a key or the mouse, but nobody is there, for there is no "
+                'window; to script keys: BGI_KEYS="1 w Left Esc", to plan an end: BGI_AFTER=2s'
+            )
 
-    def _wait_for_time(self) -> None:
-        """The program asks for time, or lets it pass: that does come."""
-        if self._idling is not None:
+    def _wait_for_time(self, milliseconds: float = 0) -> None:
+        """The program asks for time, or lets some pass: that does come."""
+        if self._idling is not None and self._waiting is not None:
             self._idling.begin_anew()
+            self._waiting.delay(milliseconds)
 
     @property
     def keys(self) -> KeyQueue:
         """The program's keyboard: the keys that wait, and those that are down."""
         self._pass(QUESTION)
+        self._rest_in_vain()
         return self._keys
 
     @property
@@ -158,7 +170,7 @@ class Headless:
 
     def sleep(self, milliseconds: float) -> None:
         """Move the clock on."""
-        self._wait_for_time()
+        self._wait_for_time(milliseconds)
         self._pass(max(0.0, milliseconds))
 
     def set_title(self, title: str) -> None:

@@ -118,6 +118,49 @@ def test_nobody_can_press_a_key(tmp_path: Path, through: list[str]) -> None:
     assert (tmp_path / "s.png").exists()
 
 
+IMPATIENT = """
+import bgi.monitor.waiting as waiting
+from bgi import keyboard
+waiting.LOOK_SECONDS, waiting.RESTS, waiting.DELAYS = 0, 1, 1
+"""
+IN_VAIN = (
+    "bgi: the program waits for a key or the mouse, but nobody is there, for there is no window; "
+    'to script keys: BGI_KEYS="1 w Left Esc", to plan an end: BGI_AFTER=2s'
+)
+
+
+@pytest.mark.parametrize(
+    "wait",
+    [
+        "while not kbhit(): pass",
+        "while not kbhit(): delay(10)",
+        "while True:\n    if kbhit() and getch() == 27: break",
+        "while not ismouseclick(WM_LBUTTONDOWN): pass",
+        "while not keyboard.pressed('Esc'): delay(20)",
+        "try:\n    while not mousex(): pass\nexcept NobodyThere as no: sys.exit(f'bgi: {no}')",
+    ],
+)
+def test_a_loop_that_waits_in_vain(tmp_path: Path, wait: str) -> None:
+    (tmp_path / "program.py").write_text(BEGINNING + IMPATIENT + wait + "\n")
+    done = run("program.py", cwd=tmp_path, BGI_MONITOR="none", BGI_SHOT="s.png")
+    assert (done.returncode, done.stdout, done.stderr) == ("exit" in wait, "", IN_VAIN + "\n")
+    assert (tmp_path / "s.png").exists()
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        "for x in range(999):\n    putpixel(x % 640, x // 640, RED)\n    delay(1000)\n    if kbhit(): break",
+        "for x in range(99):\n    time.sleep(0.01)\n    if kbhit(): break",
+        "for x in range(9999):\n    if kbhit(): break\n    hypot = [n ** 0.5 for n in range(99)]",
+    ],
+)
+def test_a_program_that_works_between_its_questions(tmp_path: Path, work: str) -> None:
+    (tmp_path / "program.py").write_text(BEGINNING + IMPATIENT + work + "\n")
+    done = run("program.py", cwd=tmp_path, BGI_MONITOR="none")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display")
 def test_the_first_program_without_a_display(tmp_path: Path) -> None:
     readme = (HOME / "README.md").read_text("utf-8")
