@@ -5,6 +5,7 @@ The ten drivers of graphics.h have the numbers 1..10; installuserdriver() adds u
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from bgi.constants import grError, grInvalidDriver
 from bgi.kernel import modes
@@ -51,7 +52,7 @@ class DriverTable:
         if driver < FIRST_INSTALLED:
             return modes.find(driver, number)
         known = self.name(driver) == "SVGA256" and 0 <= number < len(modes.SVGA256)
-        return modes.SVGA256[number]._replace(driver=driver) if known else None
+        return replace(modes.SVGA256[number], driver=driver) if known else None
 
     def mode_range(self, driver: int) -> tuple[int, int]:
         """The lowest and highest mode number of a driver; (-1, -1) without any."""

@@ -5,6 +5,7 @@ chosen: every mode has at least two pages, so that double buffering works everyw
 own number stands beside it), and the 8514 driver reports all of its 256 colours.
 """
 
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from bgi.constants import (
@@ -55,7 +56,8 @@ DRIVERS = {
 """The drivers by number; those that have not been studied draw like EGAVGA."""
 
 
-class GraphicsMode(NamedTuple):
+@dataclass(frozen=True, slots=True)  # read at every call, and slots are read fastest
+class GraphicsMode:
     """One row of the table."""
 
     driver: int
@@ -77,11 +79,11 @@ class GraphicsMode(NamedTuple):
     """4 in a window: an index, or a colour of its own as `bgi.memory.rgb` writes it."""
     square: bool = False
     """Whether its pixels are shown as squares; else the picture is stretched to 4:3."""
+    maxcolor: int = field(init=False)
+    """The largest colour index, which is also the mask of a pixel's bits."""
 
-    @property
-    def maxcolor(self) -> int:
-        """The largest colour index, which is also the mask of a pixel's bits."""
-        return self.colors - 1
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "maxcolor", self.colors - 1)
 
     @property
     def is_window(self) -> bool:
