@@ -419,3 +419,21 @@ def test_the_close_button(seen: Window, xvfb: str) -> None:
     with pytest.raises(WindowClosed, match=r"^the window was closed$"):
         seen.read_key()
     wait_until(lambda: gone(seen.pid))
+
+
+def test_the_pointer_takes_another_look(seen: Window, tmp_path: Path) -> None:
+    """White, but for the last row, which inverts what is there: of black it makes white, too."""
+
+    def white() -> set[tuple[int, int]]:
+        """The pixels of the page that are white."""
+        seen.show()
+        y, x = (picture_in(seen, tmp_path)[::4] == 255).all(axis=2).nonzero()
+        return {(int(a) // 4, int(b) * 4 * 200 // 960) for a, b in zip(x, y, strict=True)}
+
+    seen.mouse.move(100, 50)
+    seen.mouse.shape(8, 4, [0] * 15 + [0xFFFF] + [0xFFFF] * 16)
+    seen.mouse.show()
+    wait_until(lambda: bool(white()))
+    x, y = np.array(sorted(white())).T
+    assert (x.min(), x.max()) == (92, 107)
+    assert (y.min(), y.max()) == (46, 61)
