@@ -10,7 +10,7 @@ from bgi.constants import C80
 from bgi.graphics import Graphics
 from bgi.kernel import modes
 from bgi.kernel.textmodes import TEXT_MODES, TextMode
-from bgi.memory.card import Card
+from bgi.memory.card import BLINKING, MONOCHROME, Card
 from bgi.memory.cells import CellPage
 from bgi.memory.palette import Palette
 from bgi.raster.lines import Box
@@ -67,9 +67,8 @@ class Bios:
         """Set a text mode: an empty screen, the cursor in its corner."""
         if mode is not self.mode:
             self.mode_before, self.mode = self.mode, mode
-        self.card.set_text_mode(
-            mode.columns, mode.rows, mode.cell_height, 2 if mode.monochrome else 0
-        )
+        attributes = MONOCHROME if mode.monochrome else BLINKING
+        self.card.set_text_mode(mode.columns, mode.rows, mode.cell_height, attributes)
         self.palette = Palette(_COLORS, self.card.palette)
         self.cells = self.page = CellPage(self.card.page(0), mode.columns, mode.rows)
         self.is_text = True
