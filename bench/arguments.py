@@ -74,6 +74,19 @@ def polygons(shape: list[tuple[int, int]], count: int = CALLS) -> Make:
     return make
 
 
+def any_polygons(corners: int, size: int, count: int = CALLS) -> Make:
+    """Closed polygons of any shape, so that none returns, within boxes of that size."""
+
+    def make(dice: random.Random) -> Arguments:
+        found = []
+        for x, y in _corners(dice, size, size, count):
+            shape = [(x + dice.randrange(size), y + dice.randrange(size)) for _ in range(corners)]
+            found.append(([*shape, shape[0]],))
+        return found
+
+    return make
+
+
 def floats(make: Make, count: int = 2) -> Make:
     """The same, the first `count` arguments as floats with fractions."""
     return lambda dice: [(*(v + 0.25 for v in each[:count]), *each[count:]) for each in make(dice)]

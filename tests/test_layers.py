@@ -31,6 +31,7 @@ LAYERS = [
     "bgi.raster.shortlines",
     "bgi.raster.polygons",
     "bgi.raster.ellipses",
+    "bgi.raster.shapes",
     "bgi.raster.spans",
     "bgi.raster.floodfill",
     "bgi.memory.rgb",

@@ -4,7 +4,7 @@ from math import cos, pi, sin
 from typing import Any
 
 from bench import calls
-from bench.arguments import always, boxes, polygons
+from bench.arguments import always, any_polygons, boxes, polygons
 from bench.calls import Call, Program
 from bench.groups.curves import HATCHED
 from bench.groups.lines import OCTAGON, TRIANGLE
@@ -43,6 +43,8 @@ TABLE: list[Call | Program] = [
     Call("fillpoly, 8 corners", "fillpoly", polygons(OCTAGON, 50)),
     Call("fillpoly, star", "fillpoly", polygons(STAR, 50)),
     Call("fillpoly, quad of 5x5", "fillpoly", polygons(QUAD)),
+    Call("fillpoly, any triangle", "fillpoly", any_polygons(3, 64), cold=True),
+    Call("fillpoly, any 5 corners", "fillpoly", any_polygons(5, 64), cold=True),
     Call("fillpoly, triangle of 50, hatched", "fillpoly", polygons(TRIANGLE, 50), HATCHED),
     flooding(20, 1),
     flooding(200, 1),

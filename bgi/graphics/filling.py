@@ -15,6 +15,7 @@ from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Point, Rows
+from bgi.raster.shapes import MOST_CORNERS, SHAPES, Polygon
 from bgi.raster.spans import NO_SPANS
 from bgi.settings import fillsettingstype
 
@@ -161,10 +162,29 @@ class Filling(Pen):
                 self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
-        outline = self._fill_area(points, self._fill_index(fill))
-        if color:  # an outline in colour 0 is not drawn, though one in 16 is: as index 0
+        page, shape = self.page, self._shape(points)
+        x, y = points[0] if points else self._origin
+        fill, ink, rows = self._fill_index(fill), self._index(color), self._fill_rows
+        outline = polygons.paths([*points, *points[:1]])
+        if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
+            pass
+        elif not (shape and page.fill_offsets(x, y, shape.area, fill, rows)):
+            self._fill_area(outline, fill)
+        if not color:  # an outline in colour 0 is not drawn, though one in 16 is: as index 0
+            pass
+        elif not (shape and self._plain and page.put_offsets(x, y, shape.outline, ink, False)):
             sides = polygons.edges(outline) or [(*point, *point) for point in points[:1]]
-            self._sides(sides, self._index(color))
+            self._sides(sides, ink)
+
+    def _shape(self, points: list[Point]) -> Polygon | None:
+        """What is kept of a polygon that was met before, if it begins on the screen."""
+        if not 0 < len(points) <= MOST_CORNERS:
+            return None
+        (x, y), (left, top, right, bottom) = points[0], self.page.box
+        if not (left <= x <= right and top <= y <= bottom):
+            return None
+        corners = tuple([(corner_x - x, corner_y - y) for corner_x, corner_y in points])
+        return SHAPES.again(corners, self.page.trace, self.page.width) or None
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]

@@ -17,7 +17,6 @@ from bgi.graphics.screen import State
 from bgi.kernel.arguments import Numbers, in_chunks, is_array, whole, whole_array
 from bgi.raster import brush, lines, polygons, spans
 from bgi.raster.lines import Segment, Segments
-from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Path, Point
 from bgi.raster.shortlines import LONGEST, SHORT_LINES
 from bgi.raster.spans import Edges
@@ -119,22 +118,18 @@ class Pen(State):
 
     # Areas
 
-    def _fill_area(self, points: list[Point], fill: int) -> list[Path]:
-        """Fill a polygon, which is closed first; returns its paths."""
-        outline = polygons.paths([*points, *points[:1]])
+    def _fill_area(self, outline: list[Path], fill: int) -> None:
+        """Fill what the paths of a polygon enclose."""
         rows = self._fill_rows
         _, top, _, bottom = self.page.box
-        if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
-            pass
-        elif len(points) < FEW:
+        if sum(map(len, outline)) < FEW:
             self.page.fill_rows(polygons.scan(outline, top, bottom), fill, rows)
-        elif outline:
-            x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T[:, :, None]
-            real, single = np.ones(x1.shape, dtype=bool), np.array([len(outline) == 1])
-            edges = Edges((x1, y1, x2, y2), real, single)
-            for _, found in spans.fill(edges, top, bottom):
-                self.page.fill_spans(found, np.array([fill]), rows)
-        return outline
+            return
+        x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T[:, :, None]
+        real, single = np.ones(x1.shape, dtype=bool), np.array([len(outline) == 1])
+        edges = Edges((x1, y1, x2, y2), real, single)
+        for _, found in spans.fill(edges, top, bottom):
+            self.page.fill_spans(found, np.array([fill]), rows)
 
     # Arguments of polygons
 

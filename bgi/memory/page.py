@@ -9,12 +9,13 @@ import numpy as np
 
 from bgi.memory.areas import Areas
 from bgi.memory.boxes import between
+from bgi.memory.pixmap import Pixels
 from bgi.memory.sdl import pygame
 from bgi.raster import lines
 from bgi.raster.ellipses import Curve
 from bgi.raster.lines import Ints, Segments
 from bgi.raster.offsets import Offsets
-from bgi.raster.patterns import SOLID, Dashes
+from bgi.raster.patterns import SOLID, SOLID_ROWS, Dashes
 from bgi.raster.spans import Spans
 
 _LONG = 48
@@ -202,7 +203,16 @@ class Page(Areas):
             place = place[between(dy, self._top - y, self._bottom - y)]
         self.flat[place + ((y + top) * self.width + x + left)] = color
 
-    def put_offsets(self, x: int, y: int, figure: Offsets, color: int, xor: bool) -> bool:
+    def fill_offsets(self, x: int, y: int, figure: Offsets, color: int, pattern: bytes) -> bool:
+        """`put_offsets` in a fill pattern, for x, y within the clipping box."""
+        if pattern == SOLID_ROWS:
+            return self.put_offsets(x, y, figure, color, False)
+        eight_rows = 8 * self.width
+        start = ((y + figure.top) * self.width + x + figure.left) % eight_rows
+        inks = self._ink(color, pattern).block.ravel()[(figure.place + start) % eight_rows]
+        return self.put_offsets(x, y, figure, inks, False)
+
+    def put_offsets(self, x: int, y: int, figure: Offsets, color: int | Pixels, xor: bool) -> bool:
         """Draw a kept figure at x, y; False, and nothing is drawn, if the clipping box cuts it."""
         place, left, top, right, bottom = figure
         if (

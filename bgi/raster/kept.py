@@ -8,6 +8,8 @@ import numpy as np
 Made = TypeVar("Made", bound=Iterable[object])
 _OF_AN_ENTRY = 500
 """Bytes that an entry takes besides its arrays' numbers, roughly."""
+MET = 1000
+"""Keys that are remembered until they are met again."""
 
 
 class Kept(dict[Any, Made]):
@@ -24,6 +26,19 @@ class Kept(dict[Any, Made]):
         self._make = make
         self._most = most_bytes
         self.bytes = 0
+        self._met: set[tuple[Any, ...]] = set()
+
+    def again(self, *key: Any) -> Made | None:
+        """What is made of arguments that were met before; None for new ones."""
+        found = self.get(key)
+        if found is None:
+            if key in self._met:
+                self._met.remove(key)
+                return self[key]
+            if len(self._met) >= MET:
+                self._met.clear()
+            self._met.add(key)
+        return found
 
     def __missing__(self, key: tuple[Any, ...]) -> Made:
         made = self._make(*key)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bgi.raster.kept import Kept
+from bgi.raster.kept import MET, Kept
 
 
 def test_a_table_makes_a_thing_once() -> None:
@@ -30,3 +30,24 @@ def test_what_is_too_large_itself_is_not_kept() -> None:
     table[5,]
     assert len(table[10_001,][0]) == 10_001
     assert not table and table.bytes == 0
+
+
+def test_what_is_met_again_is_made_once() -> None:
+    made: list[int] = []
+
+    def make(number: int) -> tuple[int, ...]:
+        made.append(number)
+        return (number,)
+
+    table = Kept(make, 10_000)
+    assert table.again(7) is None
+    assert table.again(7) == table.again(7) == (7,)
+    assert made == [7]
+
+
+def test_few_arguments_are_remembered() -> None:
+    table = Kept(lambda number: (number,), 10_000)
+    for number in range(3 * MET):
+        assert table.again(number) is None
+        assert len(table._met) <= MET
+    assert not table

@@ -115,6 +115,24 @@ def test_array_of_polygons_is_a_loop_of_calls(style, corners, data, mode):
 
 
 @quick
+@given(
+    style=styles,
+    shape=st.lists(st.tuples(st.integers(-30, 60), st.integers(-30, 60)), min_size=1, max_size=7),
+    places=st.lists(st.tuples(near, near), min_size=1, max_size=6),
+    mode=modes,
+)
+def test_a_polygon_that_is_met_again_is_filled_like_a_new_one(style, shape, places, mode):
+    """From the second time on a small one is kept, and put where no edge cuts it."""
+    new, again = screen(style, mode=mode), screen(style, mode=mode)
+    for left, top in [places[0], places[0], *places]:
+        points = [(left + x, top + y) for x, y in shape]
+        with patch("bgi.graphics.filling.MOST_CORNERS", 0):
+            new.fillpoly(points)
+        again.fillpoly(points)
+        assert (new.page.array == again.page.array).all()
+
+
+@quick
 @given(points=st.lists(st.tuples(far, far), min_size=3, max_size=5))
 def test_the_crossings_of_long_sides_are_whole_numbers_of_the_rule(points):
     """Array polygons are computed in floats, a single one in whole numbers."""
