@@ -21,6 +21,12 @@ class Program:
         self.now = 100.0
         clock = SimpleNamespace(monotonic=lambda: self.now)
         monkeypatch.setattr("bgi.monitor.waiting.time", clock)
+        before = threading.enumerate()  # other tests may have left some
+        threads = SimpleNamespace(
+            current_thread=threading.current_thread,
+            enumerate=lambda: [one for one in threading.enumerate() if one not in before],
+        )
+        monkeypatch.setattr("bgi.monitor.waiting.threading", threads)
         self.card = Card()
         self.card.set_mode(64, 32, 2, 1, False)
         self.pixels = np.frombuffer(self.card.page(0), np.uint8)
