@@ -19,6 +19,9 @@ from surfaces.shape.sheet import Sheet
 from surfaces.space.view import View
 from surfaces.systems import trace
 
+BLOCK = 1 << 13
+"""Nodes of a block, or corners: the arrays that are made of them stay in the cache."""
+
 
 @dataclass(frozen=True)
 class Cells:

@@ -24,12 +24,9 @@ from numpy.typing import NDArray
 from surfaces.arrays import Doubles, Ints
 from surfaces.shape.cells import four_corners
 from surfaces.space.view import View
-from surfaces.visible.lattice import Cells, Lattice
+from surfaces.visible.lattice import BLOCK, Cells, Lattice
 
 Item = TypeVar("Item", bound=np.generic)
-
-BLOCK = 1 << 13
-"""Nodes of a block, or corners: the arrays that are made of them stay in the cache."""
 
 
 def back_to_front(field: NDArray[Item], eye: Doubles) -> NDArray[Item]:

@@ -14,14 +14,13 @@ from functools import cached_property
 
 import numpy as np
 
-from surfaces.arrays import Bools, Doubles
+from surfaces.arrays import Bools, Doubles, Ints
 from surfaces.shape.cells import every_nth
-from surfaces.space.transforms import apply
 from surfaces.space.view import View
 from surfaces.systems.colors import Palette
 from surfaces.systems.pen import BLACK, DARKGRAY, Pen
 from surfaces.visible.depth import DepthBuffer
-from surfaces.visible.lattice import Cells
+from surfaces.visible.lattice import BLOCK, Cells, Lattice
 
 BACKGROUND = BLACK
 
@@ -146,19 +145,26 @@ def _paint(easel: Easel, blocks: Iterator[Cells], outline: int) -> None:
 
 
 def mesh_lines(
-    points: Doubles, view: View, every: int, joined: tuple[Bools, Bools] | None = None
-) -> tuple[Doubles, Doubles]:
-    """The lines of a mesh of points, (nu+1, nv+1, 3), on the screen: both ends, (n, 2).
+    lattice: Lattice, view: View, every: int, joined: tuple[Bools, Bools]
+) -> Iterator[tuple[Doubles, Doubles]]:
+    """The lines of a lattice's mesh on the screen, some at a time: both ends, (n, 2).
 
-    `joined` says which neighbours along u, and along v, a line joins: all, if None.
+    `joined` says which neighbours in a column, and in a row, a line joins.
     """
-    nodes = apply(points, view.screen)[..., :2]
-    i, j = (every_nth(count, every) for count in points.shape[:2])
-    across, along = nodes[i], nodes[:, j]
-    starts = np.concatenate((across[:, :-1].reshape(-1, 2), along[:-1].reshape(-1, 2)))
-    ends = np.concatenate((across[:, 1:].reshape(-1, 2), along[1:].reshape(-1, 2)))
-    there = np.isfinite(starts + ends).all(axis=1)
-    if joined is not None:
-        along_u, along_v = joined
-        there &= np.concatenate((along_v[i].ravel(), along_u[:, j].ravel()))
-    return starts[there], ends[there]
+    ways = lattice.x, lattice.y, lattice.z
+    rows, columns = (every_nth(count, every) for count in lattice.z.shape)
+    in_column, in_row = joined
+    yield from _chains(list(ways), rows, view, in_row)
+    yield from _chains([way.T for way in ways], columns, view, in_column.T)
+
+
+def _chains(
+    ways: list[Doubles], chosen: Ints, view: View, joined: Bools
+) -> Iterator[tuple[Doubles, Doubles]]:
+    """Some of the lines along the rows of three arrays, x, y and z of their nodes."""
+    step = max(1, BLOCK // ways[0].shape[1])
+    for start in range(0, len(chosen), step):
+        lines = chosen[start : start + step]
+        nodes = np.stack(view.places(*(way[lines] for way in ways)), axis=-1)
+        there = joined[lines]
+        yield nodes[:, :-1][there], nodes[:, 1:][there]

@@ -77,8 +77,8 @@ class HeightPicture(Picture):
     def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
         """All lines of the mesh on the screen, and then those that lead on to the rim of a hole."""
         every = self.easel.every
-        for grid in self.grids:
-            yield mesh_lines(grid.points, self.view, every, grid.joined)
+        for grid, lattice in zip(self.grids, self._lattices(), strict=True):
+            yield from mesh_lines(lattice, self.view, every, grid.joined)
             pieces, _ = grid.loose_ends(every)
             starts, ends = apply(pieces, self.view.screen)[..., :2].swapaxes(0, 1)
             yield starts, ends
@@ -118,7 +118,10 @@ class SheetPicture(Picture):
 
     def wires(self) -> Iterator[tuple[Doubles, Doubles]]:
         """All lines of the mesh on the screen."""
-        yield mesh_lines(self.sheet.points, self.view, self.easel.every)
+        there = np.isfinite(self.sheet.points[..., 2])
+        joined = there[:-1] & there[1:], there[:, :-1] & there[:, 1:]
+        lattice = Lattice.of_sheet(self.sheet, self.field)
+        yield from mesh_lines(lattice, self.view, self.easel.every, joined)
 
     @cached_property
     def _triangles(self) -> Triangles:
