@@ -49,6 +49,7 @@ KEYS = {
     "hangman": "a e i o u Esc",
     "form": "F1 x F10 x Tab a Backspace Up Esc",
     "calculator": "1 Enter 2 Enter - 3 Enter x Enter",
+    "spacewar": "+w +Up Wait300ms -w +a +Down Wait500ms -a Esc",
 }
 
 
@@ -148,7 +149,7 @@ class TestFolder:
         private = [
             module
             for module in modules
-            if re.match(r"(bgi|surfaces)\.(?!conio$|dos$|stdio$)", module)
+            if re.match(r"(bgi|surfaces)\.(?!conio$|dos$|keyboard$|stdio$)", module)
         ]
         assert not private
 
@@ -352,6 +353,61 @@ class TestCommand:
         assert ran.stderr.count("\n") == 1
         assert "no display" in ran.stderr
         assert "python -m demos --save DIR" in ran.stderr
+
+
+class TestSpacewar:
+    """The duel for two: its keys at once, its sun, its torpedoes and its score."""
+
+    @pytest.fixture
+    def game(self):
+        return load("spacewar").module()
+
+    def flown(self, game, monkeypatch, keys, pictures):
+        """The ships and the torpedoes after some pictures with some keys."""
+        monkeypatch.setenv("BGI_KEYS", keys)
+        bgi.initgraph(*game.MODE)
+        ships, torpedoes = game.two_ships(), []
+        for _ in range(pictures):
+            game.play(ships, torpedoes)
+        bgi.closegraph()
+        return ships, torpedoes
+
+    def test_both_are_steered_at_once(self, game, monkeypatch):
+        (left, right), _ = self.flown(game, monkeypatch, "", 1)
+        (turned, burning), torpedoes = self.flown(game, monkeypatch, "+a +w +Right +Up +Down", 1)
+        assert (turned.angle - left.angle, burning.angle - right.angle) == (game.TURN, -game.TURN)
+        assert turned.burning and burning.burning
+        assert turned.dx - left.dx == pytest.approx(0.05 * np.cos(np.radians(274)))
+        assert burning.dy - right.dy == pytest.approx(-0.05 * np.sin(np.radians(86)))
+        assert len(torpedoes) == 1 and torpedoes[0].distance(right.x, right.y) < 2 * game.SIZE
+
+    def test_left_alone_both_go_round_the_sun(self, game, monkeypatch):
+        ships, torpedoes = self.flown(game, monkeypatch, "", 700)
+        assert [ship.score for ship in ships] == [0, 0] and torpedoes == []
+        assert [ship.distance(game.SUN_X, game.SUN_Y) for ship in ships] == pytest.approx(
+            [200, 200], abs=5
+        )
+
+    def test_a_hit_is_a_point_and_the_ship_begins_anew(self, game, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", "")
+        bgi.initgraph(*game.MODE)
+        ships = game.two_ships()
+        torpedoes = [game.Torpedo(*ships[1].start)]
+        game.play(ships, torpedoes)
+        assert ([ship.score for ship in ships], torpedoes) == ([1, 0], [])
+        assert ships[1].blast == game.BLAST
+        for _ in range(game.BLAST):
+            game.play(ships, torpedoes)
+        assert (ships[1].blast, ships[1].x, ships[1].y) == (0, *ships[1].start[:2])
+
+    def test_the_sun_is_hot(self, game, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", "")
+        bgi.initgraph(*game.MODE)
+        ships = game.two_ships()
+        ships[0].x, ships[0].dx, ships[0].dy = game.SUN_X - 60, 4, 0
+        for _ in range(15):
+            game.play(ships, [])
+        assert [ship.score for ship in ships] == [0, 1]
 
 
 class TestPages:
