@@ -99,7 +99,10 @@ class Drawing(Pen):
             and color is None
         ):
             dx, dy = self._dx, self._dy
-            self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
+            if self._plain:
+                self.page.line(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
+            else:
+                self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
         elif is_array(x1) or is_array(y1) or is_array(x2) or is_array(y2) or is_array(color):
             shade = self.settings.color if color is None else color
             ends = broadcast(x1=x1, y1=y1, x2=x2, y2=y2, color=shade)
@@ -113,15 +116,18 @@ class Drawing(Pen):
 
     def lineto(self, x: Number, y: Number) -> None:
         """Draw from the current position to x, y and go there."""
-        x, y = whole("x", x), whole("y", y)
-        here = self.settings
+        x = x if type(x) is int else whole("x", x)
+        y = y if type(y) is int else whole("y", y)
+        here, dx, dy = self.settings, self._dx, self._dy
         # A level line starts its pattern at the new point: the kernel passes it first.
-        self.line(x, y, here.x, here.y)
+        self._segment(x + dx, y + dy, here.x + dx, here.y + dy, self._ink)
         here.x, here.y = x, y
 
     def linerel(self, dx: Number, dy: Number) -> None:
         """Draw from the current position by dx, dy and go there."""
-        self.lineto(self.settings.x + whole("dx", dx), self.settings.y + whole("dy", dy))
+        dx = dx if type(dx) is int else whole("dx", dx)
+        dy = dy if type(dy) is int else whole("dy", dy)
+        self.lineto(self.settings.x + dx, self.settings.y + dy)
 
     def rectangle(
         self,

@@ -92,6 +92,10 @@ class Pen(State):
         if self._plain:
             self.page.outline(left, top, right, bottom, color)
             return
+        if not self._thick:
+            style = self._dashes, self._xor
+            self.page.styled_outline(left, top, right, bottom, color, *style)
+            return
         self._segment(left, top, right, top, color)
         self._segment(right, top, right, bottom, color)
         self._segment(right, bottom, left, bottom, color)
@@ -100,8 +104,9 @@ class Pen(State):
     def _sides(self, sides: list[Segment], color: int) -> None:
         """The lines of one figure."""
         if len(sides) < FEW:  # else the array path is faster: it drops what is off screen at once
-            for side in sides:
-                self._segment(*side, color)
+            draw = self.page.line if self._plain else self._segment
+            for x1, y1, x2, y2 in sides:
+                draw(x1, y1, x2, y2, color)
         else:
             x1, y1, x2, y2 = whole_array("sides", sides).T
             self._segments((x1, y1, x2, y2), np.full(len(sides), color))

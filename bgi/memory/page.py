@@ -15,7 +15,7 @@ from bgi.raster import lines
 from bgi.raster.ellipses import Curve
 from bgi.raster.lines import Ints, Segments
 from bgi.raster.offsets import Offsets
-from bgi.raster.patterns import SOLID, SOLID_ROWS, Dashes
+from bgi.raster.patterns import SOLID, SOLID_ROWS, Dashes, walk
 from bgi.raster.spans import Spans
 
 _LONG = 48
@@ -93,21 +93,74 @@ class Page(Areas):
             if visible is None:
                 return
             x1, y1, x2, y2 = visible
-        first, n, m, along, across = course = self.course(x1, y1, x2, y2, self.width)
-        pixels = self.flat
-        place: Ints | slice
-        if m == 0 or m == n:  # level, upright or diagonal: every so many places
-            pixels = pixels[first :: along + across if m else along]
-            place = slice(n + 1) if style is SOLID else style.upto(n)
-        else:
-            place = lines.places(course, style.upto(n))
-        if not xor:
-            pixels[place] = color
+        course = first, n, m, along, across = self.course(x1, y1, x2, y2, self.width)
+        if m == 0 or m == n:  # level, upright or diagonal
+            self._put_evenly(first, along + across if m else along, n, color, style, xor)
             return
-        drawn = pixels[place]  # where no pixel occurs twice
-        drawn ^= np.array(color, drawn.dtype)
-        if drawn.base is None:  # a copy, not a view
-            pixels[place] = drawn
+        count = style.counts[n]
+        place = lines.places(course, style.steps[:count], walk(style.bits, along)[:count])
+        pixels = self.flat
+        if along > 0 < across:
+            pixels = pixels[first:]
+        else:
+            place += np.array(first)
+        if xor:  # no pixel occurs twice
+            pixels[place] ^= np.array(color, pixels.dtype)
+        else:
+            pixels[place] = color
+
+    def _put_evenly(
+        self, first: int, step: int, n: int, color: int, style: Dashes, xor: bool
+    ) -> None:
+        """A line whose n steps all lead as far over the page."""
+        pixels = self.flat[first::step]
+        if style is not SOLID:
+            place = style.steps[: style.counts[n]]
+            if xor:
+                pixels[place] ^= np.array(color, pixels.dtype)
+            else:
+                pixels[place] = color
+        elif xor:
+            pixels = pixels[: n + 1]
+            pixels ^= np.array(color, pixels.dtype)
+        else:
+            pixels[: n + 1] = color
+
+    def styled_outline(
+        self, left: int, top: int, right: int, bottom: int, color: int, style: Dashes, xor: bool
+    ) -> None:
+        """The four sides of a box as four thin lines in a pattern."""
+        inside = (
+            self._left <= left <= self._right
+            and self._left <= right <= self._right
+            and self._top <= top <= self._bottom
+            and self._top <= bottom <= self._bottom
+        )
+        if inside and style is SOLID and xor and left != right and top != bottom:
+            self._xor_outline(left, top, right, bottom, color)
+            return
+        for side in (
+            (left, top, right, top),
+            (right, top, right, bottom),
+            (right, bottom, left, bottom),
+            (left, bottom, left, top),
+        ):
+            if inside:
+                first, n, _, along, _ = self.course(*side, self.width)
+                self._put_evenly(first, along, n, color, style, xor)
+            else:
+                self.styled_line(*side, color, style, xor)
+
+    def _xor_outline(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
+        """The sides of a box within the clipping box, two at a time; its corners twice."""
+        if left > right:
+            left, right = right, left
+        if top > bottom:
+            top, bottom = bottom, top
+        box = self.array[top : bottom + 1, left : right + 1]
+        ink = np.array(color, box.dtype)
+        for sides in (box[:: bottom - top], box[:, :: right - left]):
+            np.bitwise_xor(sides, ink, sides)
 
     def line_many(self, segments: Segments, colors: Ints, style: Dashes, xor: bool) -> None:
         """Thin lines one after another, each in its colour."""

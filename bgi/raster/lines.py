@@ -141,16 +141,23 @@ def _course(x1: int, y1: int, x2: int, y2: int, right: int, down: int) -> Course
     return (first, n, m, aside, down) if n >= m else (first, m, n, down, aside)
 
 
-def places(course: Course, steps: Ints) -> Ints:
-    """Where those steps of a line are, which is neither level nor upright."""
-    first, n, m, along, across = course
+def places(course: Course, steps: Ints, walk: Ints) -> Ints:
+    """Where those steps of a line are that is neither level nor upright, seen from its first pixel.
+
+    `walk` is where the steps lead along the longer axis.
+    """
+    _, n, m, _, across = course
     # A 0-d array saves numpy from looking at a number: a third of the time.
     place: Ints = steps * np.array((m << _FRACTION_BITS) // n)
     place += _ROUNDING
     place >>= _SHIFT
-    place *= np.array(across)
-    place += steps if along == 1 else steps * np.array(along)
-    place += np.array(first)
+    if across == 1:
+        place += walk
+    elif across == -1:
+        np.subtract(walk, place, place)
+    else:
+        place *= np.array(across)
+        place += walk
     return place
 
 

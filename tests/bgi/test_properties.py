@@ -333,10 +333,12 @@ def test_pygames_line_in_every_slope():
 # Both packed drivers, planes, and a window of 16 million colours
 depths = st.sampled_from([(VGA, VGAHI), (CGA, CGAC0), (CGA, CGAHI), WINDOW])
 anywhere = st.one_of(near, st.integers(0, 639), huge)
+across_it, down_it = st.integers(0, RIGHT - LEFT), st.integers(0, BOTTOM - TOP)
+ends = st.one_of(st.tuples(*[anywhere] * 4), st.tuples(across_it, down_it, across_it, down_it))
 
 
 @quick
-@given(style=styles, rows=st.lists(st.tuples(*[anywhere] * 4), max_size=6), mode=depths)
+@given(style=styles, rows=st.lists(ends, max_size=6), mode=depths)
 @example(style=(4, 0x8001, 1, 1, 1), rows=[(10, 10, 309, 190), (309, 10, 10, 190)], mode=WINDOW)
 def test_a_line_is_what_the_array_of_it_is(style, rows, mode):
     """Single lines have ways of their own: short ones, level ones, long ones, thick ones."""
@@ -353,11 +355,11 @@ def test_a_line_is_what_the_array_of_it_is(style, rows, mode):
 @pytest.mark.parametrize("pattern", [0xFFFF, 0xC0F1])
 @pytest.mark.parametrize("xor", [0, 1])
 def test_lines_in_every_slope_are_what_their_array_is(width, pattern, xor):
-    ends = [(dx, dy) for dx in range(-40, 41, 2) for dy in range(-36, 37)]
-    x2, y2 = np.array(ends).T
+    slopes = [(dx, dy) for dx in range(-40, 41, 2) for dy in range(-36, 37)]
+    x2, y2 = np.array(slopes).T
     for mode in ((VGA, VGAHI), (CGA, CGAHI)):
         one, many = (screen((4, pattern, width, xor, 1), mode=mode) for _ in range(2))
-        for dx, dy in ends:
+        for dx, dy in slopes:
             one.line(50, 40, 50 + dx, 40 + dy)
         with patch("bgi.memory.page._LONG", 1 << 60):
             many.line(50, 40, 50 + x2, 40 + y2)
@@ -365,7 +367,7 @@ def test_lines_in_every_slope_are_what_their_array_is(width, pattern, xor):
 
 
 @quick
-@given(style=styles, row=st.tuples(*[anywhere] * 4), mode=depths)
+@given(style=styles, row=ends, mode=depths)
 def test_a_rectangle_is_four_lines_in_every_style(style, row, mode):
     one, other = screen(style, mode=mode), screen(style, mode=mode)
     left, top, right, bottom = row
@@ -377,12 +379,12 @@ def test_a_rectangle_is_four_lines_in_every_style(style, row, mode):
     assert (one.page.array == other.page.array).all()
 
 
-@given(n=st.integers(2, 4095), data=st.data())
-def test_every_pixel_of_a_long_line_is_that_of_the_rule(n, data):
+@given(n=st.integers(2, 4095), data=st.data(), across=st.sampled_from([1, -1, 640, -4096]))
+def test_every_pixel_of_a_long_line_is_that_of_the_rule(n, data, across):
     m = data.draw(st.integers(1, n - 1))
     steps = np.arange(n + 1)
-    expected = 77 + 3 * steps - 5000 * ((2 * m * steps + n) // (2 * n))
-    assert (lines.places((77, n, m, 3, -5000), steps) == expected).all()
+    expected = 3 * steps + across * ((2 * m * steps + n) // (2 * n))
+    assert (lines.places((77, n, m, 3, across), steps, 3 * steps) == expected).all()
 
 
 def rightward(x1, y1, x2, y2):
