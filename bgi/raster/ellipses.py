@@ -281,18 +281,50 @@ class Piece(NamedTuple):
 
 def _piece(first: int, last: int, rx: int, ry: int, width: int) -> Piece:
     edge = _curve(first, last, rx, ry, width)
-    arc = list(zip(edge.dx.tolist(), edge.dy.tolist(), strict=True))
-    paths = polygons.paths(arc)
-    open_path = len(paths) == 1 and paths[0][0] != paths[0][-1]
-    smooth = open_path and _by_one(edge.dx) and _by_one(edge.dy)
+    dx, dy, _ = edge
+    smooth = len(dx) > 1 and _one_way(dx) and _one_way(dy) and dy[0] * dy[-1] >= 0
+    smooth = smooth and (dx[0], dy[0]) != (dx[-1], dy[-1])
+    return Piece((_smooth_rows if smooth else _scanned_rows)(dx, dy), edge, smooth)
+
+
+def _one_way(values: Ints) -> bool:
+    """Whether values only grow or only fall, by 1 at most."""
+    steps = values[1:] - values[:-1]
+    least, most = int(steps.min()), int(steps.max())
+    return least >= -1 and most <= 1 and least * most >= 0
+
+
+def _scanned_rows(dx: Ints, dy: Ints) -> FigureRows:
+    """The rows that fill the polygon of an arc and its centre."""
+    arc = list(zip(dx.tolist(), dy.tolist(), strict=True))
     area = polygons.paths([*arc, (0, 0), *arc[:1]])
     y, one, other = np.array(polygons.scan(area, -_FAR, _FAR), dtype=np.int64)
-    return Piece((y, np.minimum(one, other), np.maximum(one, other)), edge, smooth)
+    return y, np.minimum(one, other), np.maximum(one, other)
 
 
-def _by_one(values: Ints) -> bool:
-    """Whether no value is farther than 1 from the one before."""
-    return int(abs(values[1:] - values[:-1]).max()) <= 1
+def _smooth_rows(dx: Ints, dy: Ints) -> FigureRows:
+    """The same of an arc within a quadrant: every row is crossed twice.
+
+    Once by the longer radius, and once by the shorter radius or the arc, which crosses a row at the
+    point from where it goes down.
+    """
+    if dy[0] > dy[-1]:
+        dx, dy = dx[::-1], dy[::-1]
+    top, bottom = int(dy[0]), int(dy[-1])
+    y, arc = np.arange(min(top, 0), max(bottom, 0)), dx[:-1][dy[1:] > dy[:-1]]
+    if top < 0:
+        one = _radius_crossings(int(dx[0]), top, y)
+        other = np.append(arc, _radius_crossings(int(dx[-1]), bottom, y[bottom - top :]))
+    else:
+        one = _radius_crossings(int(dx[-1]), bottom, y)
+        other = np.append(_radius_crossings(int(dx[0]), top, y[:top]), arc)
+    return y, np.minimum(one, other), np.maximum(one, other)
+
+
+def _radius_crossings(x: int, y: int, rows: Ints) -> Ints:
+    """Where the line from the centre to x, y crosses rows, counted from its upper end."""
+    crossings: Ints = lines.toward_zero((rows - min(y, 0)) * (x if y > 0 else -x), abs(y))
+    return crossings + (x if y < 0 else 0)
 
 
 PIECES = Kept(_piece, 1 << 22)

@@ -379,7 +379,9 @@ def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode
     kept = drawn(call, centre, style, xor, mode, fill)
 
     def by_lines(*key):
-        return curves._piece(*key)._replace(smooth=False)
+        piece = curves._piece(*key)
+        rows = curves._scanned_rows(piece.edge.dx, piece.edge.dy)
+        return piece._replace(rows=rows, smooth=False)
 
     def cut(self, *_):
         return False
@@ -391,6 +393,24 @@ def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode
     ):
         plain = drawn(call, centre, style, xor, mode, fill)
     assert (kept == plain).all()
+
+
+@quick
+@given(
+    piece=st.sampled_from([0, 90, 180, 270]),
+    ends=st.tuples(st.integers(0, 90), st.integers(0, 90)),
+    rx=radii,
+    ry=radii,
+)
+@example(piece=0, ends=(0, 90), rx=40, ry=30)
+def test_a_smooth_piece_of_a_slice_is_filled_like_any_polygon(piece, ends, rx, ry):
+    first, last = (piece + angle for angle in sorted(ends))
+    found = curves._piece(first, last, rx, ry, 640)
+    if (first, last, rx, ry) == (0, 90, 40, 30):
+        assert found.smooth
+    scanned = curves._scanned_rows(found.edge.dx, found.edge.dy)
+    for one, other in zip(found.rows, scanned, strict=True):
+        assert one.tolist() == other.tolist()
 
 
 @quick
