@@ -43,6 +43,7 @@ LAYERS = [
     "bgi.memory.scrolling",
     "bgi.memory.pixmap",
     "bgi.memory.areas",
+    "bgi.memory.strokes",
     "bgi.memory.page",
     "bgi.memory.packedpage",
     "bgi.memory.cells",
@@ -233,7 +234,7 @@ def test_raster_is_pure():
 
 def test_only_pages_set_pixels():
     """No other drawing module writes into pixel memory."""
-    kinds = ("pixmap", "areas", "page", "packedpage", "cells")
+    kinds = ("pixmap", "areas", "strokes", "page", "packedpage", "cells")
     pages = [f"bgi.memory.{kind}" for kind in kinds]
     for name, path in MODULES:
         if name.startswith("bgi.") and name not in pages:

@@ -346,7 +346,9 @@ def test_a_line_is_what_the_array_of_it_is(style, rows, mode):
         one, many = screen(style, viewport, mode=mode), screen(style, viewport, mode=mode)
         for row in rows:
             one.line(*row)
-        with patch("bgi.memory.page._LONG", 1 << 60):  # else an array of long ones is a loop, too
+        with patch(
+            "bgi.memory.strokes._LONG", 1 << 60
+        ):  # else an array of long ones is a loop, too
             many.line(*np.array(rows, object).reshape(-1, 4).T)
         assert (one.page.array == many.page.array).all()
 
@@ -361,7 +363,7 @@ def test_lines_in_every_slope_are_what_their_array_is(width, pattern, xor):
         one, many = (screen((4, pattern, width, xor, 1), mode=mode) for _ in range(2))
         for dx, dy in slopes:
             one.line(50, 40, 50 + dx, 40 + dy)
-        with patch("bgi.memory.page._LONG", 1 << 60):
+        with patch("bgi.memory.strokes._LONG", 1 << 60):
             many.line(50, 40, 50 + x2, 40 + y2)
         assert (one.page.array == many.page.array).all()
 
