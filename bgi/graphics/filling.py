@@ -15,7 +15,7 @@ from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Point, Rows
-from bgi.raster.shapes import MOST_CORNERS, SHAPES, Polygon
+from bgi.raster.shapes import MOST_CORNERS, SHAPES
 from bgi.raster.spans import NO_SPANS
 from bgi.settings import fillsettingstype
 
@@ -162,29 +162,29 @@ class Filling(Pen):
                 self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
-        page, shape = self.page, self._shape(points)
-        x, y = points[0] if points else self._origin
-        fill, ink, rows = self._fill_index(fill), self._index(color), self._fill_rows
+        fill, ink = self._fill_index(fill), self._index(color)
+        if self._fill_again(points, fill, ink if color else None):
+            return
         outline = polygons.paths([*points, *points[:1]])
-        if rows == EMPTY_ROWS:  # which leaves a polygon's interior alone
-            pass
-        elif not (shape and page.fill_offsets(x, y, shape.area, fill, rows)):
+        if self._fill_rows != EMPTY_ROWS:  # which leaves a polygon's interior alone
             self._fill_area(outline, fill)
-        if not color:  # an outline in colour 0 is not drawn, though one in 16 is: as index 0
-            pass
-        elif not (shape and self._plain and page.put_offsets(x, y, shape.outline, ink, False)):
+        if color:  # an outline in colour 0 is not drawn, though one in 16 is: as index 0
             sides = polygons.edges(outline) or [(*point, *point) for point in points[:1]]
             self._sides(sides, ink)
 
-    def _shape(self, points: list[Point]) -> Polygon | None:
-        """What is kept of a polygon that was met before, if it begins on the screen."""
-        if not 0 < len(points) <= MOST_CORNERS:
-            return None
-        (x, y), (left, top, right, bottom) = points[0], self.page.box
+    def _fill_again(self, points: list[Point], fill: int, ink: int | None) -> bool:
+        """Fill a small polygon that was met before; False if it is not one, or an edge cuts it."""
+        rows, page = self._fill_rows, self.page
+        if not (self._plain and rows != EMPTY_ROWS and 0 < len(points) <= MOST_CORNERS):
+            return False
+        (x, y), (left, top, right, bottom) = points[0], page.box
         if not (left <= x <= right and top <= y <= bottom):
-            return None
+            return False
         corners = tuple([(corner_x - x, corner_y - y) for corner_x, corner_y in points])
-        return SHAPES.again(corners, self.page.trace, self.page.width) or None
+        shape = SHAPES.again(corners, page.trace, page.width)
+        if not shape or not page.fill_offsets(x, y, shape.area, fill, rows):
+            return False
+        return ink is None or page.put_offsets(x, y, shape.outline, ink, False)
 
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
