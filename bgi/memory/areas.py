@@ -8,7 +8,7 @@ import numpy as np
 from bgi.memory.pixmap import Mask, Pixels, Pixmap
 from bgi.raster.ellipses import FigureRows
 from bgi.raster.floodfill import flood
-from bgi.raster.lines import Box, Ints
+from bgi.raster.lines import CHUNK, Box, Ints, grouped
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, Ink, ink
 from bgi.raster.polygons import Rows
 from bgi.raster.spans import Spans
@@ -116,19 +116,23 @@ class Areas(Pixmap):
         ones: Ints = self._ink(1, rows).block.ravel()
         return ones[place % (8 * self.width)] * colors
 
-    def fill_spans(self, spans: Spans, fills: Ints, rows: bytes) -> tuple[Ints, Ints]:
+    def fill_spans(
+        self, spans: Spans, fills: Ints, rows: bytes, last: Pixels | None = None
+    ) -> None:
         """The rows of many polygons one after another; `fills` are the polygons' colours.
 
-        Returns the places filled, and how many of them each span has.
+        In `last`, a number for each pixel of the page, stands then which polygon filled it last.
         """
         left, right = np.maximum(spans.left, self._left), np.minimum(spans.right, self._right)
-        lengths = np.maximum(right - left + 1, 0)
-        starts = spans.y * self.width + left - (np.cumsum(lengths) - lengths)
-        place = np.repeat(starts, lengths)
-        place += np.arange(len(place))
-        inks = np.repeat(fills.astype(self.flat.dtype)[spans.owner], lengths)
-        self.flat[place] = self._patterned(place, inks, rows)
-        return place, lengths
+        lengths, starts = np.maximum(right - left + 1, 0), spans.y * self.width + left
+        inks = fills.astype(self.flat.dtype)[spans.owner]
+        for part in grouped(lengths, CHUNK):
+            length = lengths[part]
+            place = np.repeat(starts[part] - (np.cumsum(length) - length), length)
+            place += np.arange(len(place))
+            self.flat[place] = self._patterned(place, np.repeat(inks[part], length), rows)
+            if last is not None:
+                last[place] = np.repeat(spans.owner[part], length)
 
     def fill_figure(self, x: int, y: int, rows: FigureRows, color: int, pattern: bytes) -> None:
         """The rows of a figure at x, y, in a fill pattern."""

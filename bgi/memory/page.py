@@ -35,16 +35,16 @@ class Page(Strokes):
 
         `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
         """
-        place, lengths = self.fill_spans(spans, fills, rows)
         covered = len(spans.owner) and len(owners) and spans.owner[-1] > owners[0]
-        if covered:
-            last_fill = np.full(self.flat.shape, -1, dtype=np.int32)
-            last_fill[place] = np.repeat(spans.owner, lengths)
+        last_fill = np.full(self.flat.shape, -1, dtype=np.int32) if covered else None
+        self.fill_spans(spans, fills, rows, last_fill)
         visible, kept = lines.clip_many(sides, self.box)
         owners = owners[kept]
         for edge, side in self._trace(visible, style):
             drawn_by = owners[side]
-            if covered:  # a pixel of a side stays unless a later polygon's fill covers it
+            if (
+                last_fill is not None
+            ):  # a pixel of a side stays unless a later polygon's fill covers it
                 survives = last_fill[edge] <= drawn_by
                 edge, drawn_by = edge[survives], drawn_by[survives]
             self.flat[edge] = colors[drawn_by]
