@@ -124,7 +124,8 @@ class Child:
             self._record_frame(self._recorder)
         now = time.monotonic()
         if changed or self._asked:
-            self._lively = now
+            if self._asked or not self._display.blinked:
+                self._lively = now
             # Where a present is slow, a program that only draws keeps half of the time to itself;
             # one that waits for its picture gets it as soon as can be.
             pause = max(self._frame, (now - start) * (1 if self._asked else 2))

@@ -26,6 +26,9 @@ class Display:
         self._card = card
         self._folder = folder
         self._shown: object = None
+        self._drawn: object = None
+        self.blinked = False
+        """Whether only what blinks made the last picture a new one."""
         self._title = ""
         self._notice_ends = float("inf")
         self._full = False
@@ -57,10 +60,12 @@ class Display:
         palette = self._card.colors()
         if frame is None:
             return False
+        drawn = frame, palette, self._pointer
         frame = at_moment(frame, time.monotonic())
         if (frame, palette, self._pointer) == self._shown:
             return False
         self._shown = frame, palette, self._pointer
+        self.blinked, self._drawn = drawn == self._drawn, drawn
         shape = Shape(frame.width, frame.height, frame.square)
         if shape != self._shape:
             self._shape = shape

@@ -1,10 +1,14 @@
 """Text modes on the screen: letters, colours, the cursor, and what blinks."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from bgi.fonts.rom import glyphs
 from bgi.memory.card import NO_CURSOR, Card, Frame
+from bgi.memory.sdl import pygame
+from bgi.monitor.display import Display
 from bgi.monitor.letters import CURSOR_SECONDS, at_moment
 from bgi.monitor.picture import pixels
 
@@ -74,3 +78,20 @@ def test_a_monochrome_monitor_shows_bright_underlined_and_reverse() -> None:
     ]
     line = pixels(frame(screen(b" ", 0x01, attributes=2)))
     assert np.flatnonzero(line.any(axis=1)).tolist() == [14]
+
+
+def test_the_window_knows_a_picture_that_is_new_only_because_it_blinks(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    card = screen(b"A", 0x9E)
+    clock = [0.0]
+    monkeypatch.setattr("bgi.monitor.display.time.monotonic", lambda: clock[0])
+    display = Display(card, tmp_path)
+    display.update()  # the window has just got its shape
+    seen = [(display.update(), display.update())]
+    clock[0] = 2 * CURSOR_SECONDS + 0.01
+    seen.append((display.update(), display.blinked))
+    card.page(0)[0] = 66
+    seen.append((display.update(), display.blinked))
+    assert seen == [(False, False), (True, True), (True, False)]
+    pygame.display.quit()
