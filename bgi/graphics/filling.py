@@ -90,6 +90,12 @@ class Filling(Pen):
         topflag: Numbers,
     ) -> None:
         """Fill a box, and outline it with its side and top in depth."""
+        if (
+            type(left) is type(top) is type(right) is type(bottom) is int
+            and type(depth) is type(topflag) is int
+        ):
+            self._bar3d(left, top, right, bottom, depth, topflag)
+            return
         self._each(
             self._bar3d,
             left=left,
@@ -208,7 +214,10 @@ class Filling(Pen):
 
     def floodfill(self, x: Numbers, y: Numbers, border: Numbers) -> None:
         """Fill the area around a point up to a border colour."""
-        self._each(self._floodfill, x=x, y=y, border=border)
+        if type(x) is int and type(y) is int and type(border) is int:
+            self._floodfill(x, y, border)
+        else:
+            self._each(self._floodfill, x=x, y=y, border=border)
 
     def _floodfill(self, x: int, y: int, border: int) -> None:
         self.page.fill_rows(self._area(x, y, border), self._fill_ink, self._fill_rows)

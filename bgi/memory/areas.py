@@ -219,11 +219,8 @@ def _marks(box: Box) -> tuple[bytearray, Mask]:
 def _leaves(area: Rows, box: Box, view: Box) -> bool:
     """Whether an area comes to a side of a box that is none of the viewport's."""
     y, first, last = area
-    if not y:
-        return False
-    reached = min(first), min(y), max(last), max(y)
-    sides = zip(reached, box, view, strict=True)
-    return any(there == side != end for there, side, end in sides)
+    reached = zip(box, view, (first, y, last, y), strict=True)
+    return any(side != end and side in places for side, end, places in reached)
 
 
 @lru_cache(maxsize=64)
