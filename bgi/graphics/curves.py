@@ -46,8 +46,10 @@ class Curves(Pen):
                 self._elliptic_arc(x, y, 0, 360, radius, ry)
             else:
                 KERNEL.arc = x, y, 0, 360, radius, ry
-                curve = CURVES[0, 360, radius, ry, self.page.width]
-                self.page.curve(x + self._dx, y + self._dy, curve, self._curve_ink)
+                page, cx, cy, ink = self.page, x + self._dx, y + self._dy, self._curve_ink
+                curve = CURVES[0, 360, radius, ry, page.width]
+                if not page.put_offsets(cx, cy, curve.pixels, ink, False):
+                    page.put_cut(cx, cy, curve, ink)
         else:
             self._each(self.circle, x=x, y=y, radius=radius, color=color)
 

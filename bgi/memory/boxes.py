@@ -24,9 +24,3 @@ def within(x: Ints, y: Ints, box: Box) -> NDArray[np.bool_]:
     left, top, right, bottom = box
     inside: NDArray[np.bool_] = (x >= left) & (x <= right) & (y >= top) & (y <= bottom)
     return inside
-
-
-def between(values: Ints, low: int, high: int) -> NDArray[np.bool_]:
-    """Which values lie from low to high: those below are large ones without their sign."""
-    inside: NDArray[np.bool_] = (values - low).view(np.uint64) <= high - low
-    return inside

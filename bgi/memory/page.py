@@ -3,9 +3,11 @@
 All coordinates are absolute; everything is clipped to the box given to `clip_to`.
 """
 
+from functools import reduce
+from operator import and_
+
 import numpy as np
 
-from bgi.memory.boxes import between
 from bgi.memory.pixmap import Pixels
 from bgi.memory.strokes import Strokes
 from bgi.raster import lines
@@ -53,16 +55,23 @@ class Page(Strokes):
 
     def curve(self, x: int, y: int, curve: Curve, color: int) -> None:
         """A thin curve around x, y."""
-        dx, dy, pixels = curve
-        if self.put_offsets(x, y, pixels, color, False):
-            return
-        place, left, top, right, bottom = pixels
-        if x + left < self._left or x + right > self._right:
-            seen = between(dx, self._left - x, self._right - x)
-            place, dy = place[seen], dy[seen]
-        if y + top < self._top or y + bottom > self._bottom:
-            place = place[between(dy, self._top - y, self._bottom - y)]
-        self.flat[place + ((y + top) * self.width + x + left)] = color
+        if not self.put_offsets(x, y, curve.pixels, color, False):
+            self.put_cut(x, y, curve, color)
+
+    def put_cut(self, x: int, y: int, curve: Curve, color: int) -> None:
+        """What is seen of a thin curve that the clipping box cuts."""
+        dx, dy, (place, left, top, right, bottom) = curve
+        cut = []  # by one edge mostly
+        if x + left < self._left:
+            cut.append(dx >= self._left - x)
+        if x + right > self._right:
+            cut.append(dx <= self._right - x)
+        if y + top < self._top:
+            cut.append(dy >= self._top - y)
+        if y + bottom > self._bottom:
+            cut.append(dy <= self._bottom - y)
+        seen = place.compress(reduce(and_, cut))
+        self.flat[seen + ((y + top) * self.width + x + left)] = color
 
     def fill_offsets(self, x: int, y: int, figure: Offsets, color: int, pattern: bytes) -> bool:
         """`put_offsets` in a fill pattern, for x, y within the clipping box."""
