@@ -27,12 +27,15 @@ class Strokes(Areas):
 
     def line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """A thin solid line."""
-        left, top, right, bottom = self.box
-        if not (
-            left <= x1 <= right
-            and left <= x2 <= right
-            and top <= y1 <= bottom
-            and top <= y2 <= bottom
+        if (
+            x1 < self._left
+            or x1 > self._right
+            or x2 < self._left
+            or x2 > self._right
+            or y1 < self._top
+            or y1 > self._bottom
+            or y2 < self._top
+            or y2 > self._bottom
         ):
             visible = lines.clip(x1, y1, x2, y2, self.box)
             if visible is None:
@@ -63,7 +66,7 @@ class Strokes(Areas):
             and self._left < x2 < self._right
             and self._top < y1 < self._bottom
             and self._top < y2 < self._bottom
-            and abs(x2 - x1) != abs(y2 - y1)  # pygame widens diagonals in x, the kernel in y
+            and x2 - x1 != y2 - y1 != x1 - x2  # pygame widens diagonals in x, the kernel in y
         ):
             if y1 < y2:
                 x1, y1, x2, y2 = x2, y2, x1, y1
@@ -76,12 +79,15 @@ class Strokes(Areas):
         self, x1: int, y1: int, x2: int, y2: int, color: int, style: Dashes, xor: bool
     ) -> None:
         """A thin line in a pattern, from its first clipped pixel on."""
-        left, top, right, bottom = self.box
-        if not (
-            left <= x1 <= right
-            and left <= x2 <= right
-            and top <= y1 <= bottom
-            and top <= y2 <= bottom
+        if (
+            x1 < self._left
+            or x1 > self._right
+            or x2 < self._left
+            or x2 > self._right
+            or y1 < self._top
+            or y1 > self._bottom
+            or y2 < self._top
+            or y2 > self._bottom
         ):
             visible = lines.clip(x1, y1, x2, y2, self.box)
             if visible is None:
@@ -161,12 +167,13 @@ class Strokes(Areas):
         visible, kept = lines.clip_many(segments, self.box)
         colors = colors[kept]
         if lines.steps_of(visible).sum() > _LONG * len(kept):
-            x1, y1, x2, y2, inks = (each.tolist() for each in (*visible, colors))
-            for a, b, c, d, ink in zip(x1, y1, x2, y2, inks, strict=True):
-                if style is SOLID and not xor:
-                    self.line(a, b, c, d, ink)
-                else:
-                    self.styled_line(a, b, c, d, ink, style, xor)
+            each = zip(*(numbers.tolist() for numbers in (*visible, colors)), strict=True)
+            if style is SOLID and not xor:
+                for x1, y1, x2, y2, color in each:
+                    self.line(x1, y1, x2, y2, color)
+            else:
+                for x1, y1, x2, y2, color in each:
+                    self.styled_line(x1, y1, x2, y2, color, style, xor)
             return
         for place, which in self._trace(visible, style):
             if xor:  # where lines cross, both count
