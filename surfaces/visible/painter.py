@@ -166,5 +166,8 @@ def _chains(
     for start in range(0, len(chosen), step):
         lines = chosen[start : start + step]
         nodes = np.stack(view.places(*(way[lines] for way in ways)), axis=-1)
-        there = joined[lines]
-        yield nodes[:, :-1][there], nodes[:, 1:][there]
+        starts, ends, there = nodes[:, :-1], nodes[:, 1:], joined[lines]
+        if there.all():
+            yield starts.reshape(-1, 2), ends.reshape(-1, 2)
+        else:
+            yield starts[there], ends[there]

@@ -11,12 +11,11 @@ from surfaces.shape.fields import Field
 from surfaces.shape.grid import Grid
 from surfaces.shape.sheet import Sheet
 from surfaces.space.transforms import apply
-from surfaces.space.view import View
 from surfaces.visible.horizon import Horizon
 from surfaces.visible.lattice import Cells, Lattice
 from surfaces.visible.order import by_depth, in_any_order, in_strips
 from surfaces.visible.painter import Picture, mesh_lines
-from surfaces.visible.picking import Triangles, nearest, pick, pick_triangle
+from surfaces.visible.picking import Tiles, Triangles, nearest, pick, pick_triangle
 from surfaces.visible.sweep import Sweep
 
 
@@ -56,9 +55,9 @@ class HeightPicture(Picture):
         return Triangles.of(np.concatenate([np.zeros((0, 3, 3)), *found]), self.view)
 
     @cached_property
-    def triangles(self) -> Triangles:
-        """All of the surfaces, for a perspective, in which there are no columns."""
-        return triangles(self.cells(), self.view)
+    def tiles(self) -> list[Tiles]:
+        """Those of each surface, for a perspective, in which there are no columns."""
+        return [Tiles(lattice, self.view) for lattice in self._lattices()]
 
     def _lattices(self, every: int = 1) -> list[Lattice]:
         return [
@@ -86,15 +85,10 @@ class HeightPicture(Picture):
     def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""
         if not self.view.parallel:
-            return pick_triangle(self.triangles, self.view, px, py)
+            near = Triangles.joined([tiles.near(px, py) for tiles in self.tiles])
+            return pick_triangle(near, self.view, px, py)
         holes = [~grid.whole for grid in self.grids]
         return pick(self.sweeps, holes, self.rims, self.view, px, py)
-
-
-def triangles(blocks: Iterator[Cells], view: View) -> Triangles:
-    """Two for every cell."""
-    space = np.concatenate([cells.nodes[:, cells.corners].T for cells in blocks])
-    return Triangles.of(np.concatenate((space[:, :3], space[:, [0, 2, 3]])), view)
 
 
 @dataclass(frozen=True)
@@ -124,12 +118,12 @@ class SheetPicture(Picture):
         yield from mesh_lines(lattice, self.view, self.easel.every, joined)
 
     @cached_property
-    def _triangles(self) -> Triangles:
-        return triangles(self.cells(), self.view)
+    def _tiles(self) -> Tiles:
+        return Tiles(Lattice.of_sheet(self.sheet, self.field), self.view)
 
     def pick(self, px: float, py: float) -> Doubles | None:
         """The nearest point (x, y, z) at a pixel, or None."""
-        return nearest(self._triangles.near(px, py).points_at(px, py), self.view)
+        return nearest(self._tiles.near(px, py).points_at(px, py), self.view)
 
 
 @dataclass(frozen=True)
