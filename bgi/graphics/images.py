@@ -60,7 +60,7 @@ class Images(State):
                 f" not {brief(width)} x {brief(height)}"
             )
         taken = self.page.copy(left + self._dx, top + self._dy, width, height)
-        image = Image.of_screen(taken, self.mode.colors, self.card.palette.copy())
+        image = Image.of_screen(taken, self.mode.colors, self.palette.shown.copy())
         if buffer is not None:
             _store(bytes(image), buffer)
         return image

@@ -100,9 +100,10 @@ class Palette:
         self.kind = mode.palette
         self._fixed = self.kind == "IBM8514"
         self._has_dac = mode.driver == VGA or self._fixed
-        self._shown = shown
-        self._shown[:] = 0
-        self._bytes = self._shown.reshape(-1).data
+        self.shown = shown
+        """The colour of each index, as the screen shows it now."""
+        self.shown[:] = 0
+        self._bytes = self.shown.reshape(-1).data
         self._changeable, self._bits = _CHANGEABLE.get(self.kind, (0, 0))
         self._dac: list[RGB] = []
         self._hardware: list[int] = []
@@ -126,7 +127,7 @@ class Palette:
         self._show()
 
     def _show(self) -> None:
-        self._shown[: len(self._hardware)] = [self._dac[value] for value in self._hardware]
+        self.shown[: len(self._hardware)] = [self._dac[value] for value in self._hardware]
 
     @property
     def _has_palette(self) -> bool:
