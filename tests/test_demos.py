@@ -366,7 +366,8 @@ class TestSpacewar:
         """The ships and the torpedoes after some pictures with some keys."""
         monkeypatch.setenv("BGI_KEYS", keys)
         bgi.initgraph(*game.MODE)
-        ships, torpedoes = game.two_ships(), []
+        ships = game.two_ships()
+        torpedoes: list[object] = []
         for _ in range(pictures):
             game.play(ships, torpedoes)
         bgi.closegraph()

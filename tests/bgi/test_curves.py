@@ -341,7 +341,8 @@ def drawn(call, centre, style=(0, 0, 1), xor=0, mode=(VGA, VGAHI), fill=1, box=(
     screen.setwritemode(xor)
     screen.setfillstyle(fill, 9)
     screen.setcolor(14)
-    screen.setviewport(*box, 1)
+    left, top, right, bottom = box
+    screen.setviewport(left, top, right, bottom, 1)
     name, numbers = call
     x, y = centre
     getattr(screen, name)(x - box[0], y - box[1], *numbers)

@@ -66,7 +66,7 @@ class TestRegisters:
             assert getattr(r.x, word) == 0x0708
 
     def test_what_is_too_large_loses_its_upper_bits(self) -> None:
-        r = registers(ax=0x12345, bx=-1, cl=0x1FF, si=3.9)  # type: ignore[arg-type]
+        r = registers(ax=0x12345, bx=-1, cl=0x1FF, si=3.9)
         assert (r.x.ax, r.x.bx, r.x.cx, r.x.si) == (0x2345, 0xFFFF, 0xFF, 3)
         with pytest.raises(TypeError, match="ah must be a number, not str"):
             r.h.ah = "A"
