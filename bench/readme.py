@@ -12,7 +12,7 @@ BEGIN, END = "<!-- written by python -m bench --readme -->", "<!-- until here --
 WORST = 8
 INTRODUCTION = """\
 One run of `python -m bench` ({versions}),
-on a machine that was busy: read the ratios rather than the times. A *unit* is an empty call of
+on a machine shared with others: read the ratios rather than the times. A *unit* is an empty call of
 three arguments in a loop inside a function, {unit:.0f} ns here. The last columns are the peer's
 time through ours, measured in turn, in the same process: above 1, we are faster. SDL_bgi is a
 library in C, here from Python in its fast mode, which draws without showing; pygame has no styles,
