@@ -52,7 +52,7 @@ class DepthBuffer:
         if near.size:
             self._low, self._high = min(self._low, near.min()), max(self._high, near.max())
         for under in (False, True):
-            corners = cells.corners[:, cells.under == under]
+            corners = cells.corners.take(np.flatnonzero(cells.under == under), axis=1)
             self._triangles(cells, corners[HALVES, :].reshape(3, -1), under)
 
     def _triangles(self, cells: Cells, corners: Ints, under: bool) -> None:
@@ -61,7 +61,8 @@ class DepthBuffer:
         x, y = (way.take(corners) for way in cells.screen)
         area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])
         seen = np.flatnonzero(reaching(x, y, width, height) & (area != 0))
-        corners, x, y, area = corners[:, seen], x[:, seen], y[:, seen], area[seen]
+        corners, area = corners.take(seen, axis=1), area.take(seen)
+        x, y = x.take(seen, axis=1), y.take(seen, axis=1)
         column, row, owner = covered(x, y, width, height)
 
         def across(nodes: Doubles) -> Doubles:

@@ -19,7 +19,7 @@ from surfaces.shape.sheet import Sheet
 from surfaces.space.view import View
 from surfaces.systems import trace
 
-BLOCK = 1 << 13
+BLOCK = 1 << 14
 """Nodes of a block, or corners: the arrays that are made of them stay in the cache."""
 
 
@@ -51,15 +51,15 @@ class Cells:
         x, y = (way.take(self.corners) for way in self.screen)
         ax, ay, bx, by = x[2] - x[0], y[2] - y[0], x[3] - x[1], y[3] - y[1]
         # Counterclockwise in space is clockwise on the screen, or not: as the axes are drawn.
-        right, down = self.view.arrows.T
-        return np.asarray((ax * by - ay * bx) * (np.cross(right, down) @ self.view.eye) < 0)
+        way = np.linalg.det(np.column_stack((self.view.arrows, self.view.eye)))
+        return np.asarray((ax * by - ay * bx) * way < 0)
 
     @property
     def polygons(self) -> Ints:
         """(m, 4, 2): the pixels of the corners."""
         with np.errstate(invalid="ignore"):  # a node in a hole is no cell's corner
             nodes = trace.rounded(np.stack(self.screen, axis=1))
-        return nodes[self.corners.T]
+        return nodes.take(self.corners.T, axis=0)
 
     @property
     def middles(self) -> Doubles:

@@ -58,20 +58,30 @@ def in_strips(lattices: Sequence[Lattice], view: View) -> Iterator[Cells]:
 def by_depth(lattice: Lattice, view: View) -> Iterator[Cells]:
     """The cells of a surface anywhere in space, that with the nearest middle last."""
     ways = [np.ascontiguousarray(way).ravel() for way in (lattice.x, lattice.y, lattice.z)]
-    near = view.nearness_of(*ways)
     cells, parts = np.flatnonzero(lattice.whole), lattice.parts
-    a, b, c, d = four_corners(near.reshape(lattice.z.shape))
-    middles = ((a + b + c + d) / 4).ravel().take(cells), near.take(parts).sum(axis=0) / 4
-    order = np.argsort(np.concatenate(middles), kind="stable")
+    count = len(cells)
+    order = _order(lattice, view, cells)
+    cells = np.append(cells, np.zeros(parts.shape[1], np.int64))  # to be replaced
     for start in range(0, len(order), BLOCK // 4):
         some = order[start : start + BLOCK // 4]
-        whole = some < len(cells)
-        corners = np.empty((4, len(some)), np.int64)
-        corners[:, whole] = lattice.corners(cells[some[whole]])
-        corners[:, ~whole] = parts[:, some[~whole] - len(cells)]
+        corners = lattice.corners(cells.take(some))
+        beyond = np.flatnonzero(some >= count)
+        corners[:, beyond] = parts[:, some[beyond] - count]
         nodes = np.stack([way.take(corners).ravel() for way in ways])
         numbers = np.arange(corners.size).reshape(corners.shape)
         yield Cells(nodes, lattice.values.take(corners).ravel(), numbers, view)
+
+
+def _order(lattice: Lattice, view: View, cells: Ints) -> Ints:
+    """The places of some cells, and behind them of a lattice's parts of cells, sorted by depth."""
+    near = view.nearness_of(lattice.x, lattice.y, lattice.z)
+    middle = np.zeros(lattice.whole.shape)
+    for corner in four_corners(near):
+        middle += corner
+    parts = near.ravel().take(lattice.parts).sum(axis=0)
+    del near  # which for millions of cells is large
+    order: Ints = np.argsort(np.append(middle.ravel().take(cells), parts), kind="stable")
+    return order
 
 
 def _approach(lines: Doubles, eye: float, parallel: bool) -> list[range]:

@@ -152,3 +152,10 @@ def test_surface_sends_bent_grids_here() -> None:
     x, y, z = ring(U, V)
     with pytest.raises(ValueError, match=r"there is sheet\(x, y, z\)"):
         surface(z, x, y, on=Canvas(9, 9))
+
+
+def test_a_sheet_may_be_one_triangle() -> None:
+    x, y = np.meshgrid((0.0, 1.0), (0.0, 1.0), indexing="ij")
+    canvas = Canvas(60, 40)
+    sheet(x, y, np.array(((0.0, 0.5), (1.0, np.nan))), "facets", on=canvas)
+    assert 100 < np.count_nonzero(canvas.array) < 60 * 40 / 2
