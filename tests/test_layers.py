@@ -29,6 +29,7 @@ LAYERS = [
     "bgi.raster.brush",
     "bgi.raster.patterns",
     "bgi.raster.shortlines",
+    "bgi.raster.styledboxes",
     "bgi.raster.polygons",
     "bgi.raster.ellipses",
     "bgi.raster.shapes",

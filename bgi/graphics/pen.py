@@ -20,6 +20,7 @@ from bgi.raster.lines import Segment, Segments
 from bgi.raster.polygons import Path, Point
 from bgi.raster.shortlines import LONGEST, SHORT_LINES
 from bgi.raster.spans import Edges
+from bgi.raster.styledboxes import STYLED_BOXES
 
 FEW = 256
 """Below this many lines a loop is as fast as the array path."""
@@ -93,13 +94,22 @@ class Pen(State):
             self.page.outline(left, top, right, bottom, color)
             return
         if not self._thick:
-            style = self._dashes, self._xor
-            self.page.styled_outline(left, top, right, bottom, color, *style)
+            self._styled_box(left, top, right, bottom, color)
             return
         self._segment(left, top, right, top, color)
         self._segment(right, top, right, bottom, color)
         self._segment(right, bottom, left, bottom, color)
         self._segment(left, bottom, left, top, color)
+
+    def _styled_box(self, left: int, top: int, right: int, bottom: int, color: int) -> None:
+        """The outline of a box in a line pattern or by XOR, thin."""
+        style, xor, page = self._dashes, self._xor, self.page
+        dx, dy = right - left, bottom - top
+        if abs(dx) < page.width and abs(dy) < page.height:
+            figure = STYLED_BOXES.again(dx, dy, style.bits, xor, page.trace, page.width)
+            if figure is not None and page.put_offsets(left, top, figure, color, xor):
+                return
+        page.styled_outline(left, top, right, bottom, color, style, xor)
 
     def _sides(self, sides: list[Segment], color: int) -> None:
         """The lines of one figure."""

@@ -369,10 +369,12 @@ def test_lines_in_every_slope_are_what_their_array_is(width, pattern, xor):
 
 
 @quick
-@given(style=styles, row=ends, mode=depths)
-def test_a_rectangle_is_four_lines_in_every_style(style, row, mode):
+@given(style=styles, row=ends, mode=depths, data=st.data())
+def test_a_rectangle_is_four_lines_in_every_style(style, row, mode, data):
     one, other = screen(style, mode=mode), screen(style, mode=mode)
     left, top, right, bottom = row
+    for _ in range(data.draw(st.integers(0, 2))):  # after the second its pixels are kept
+        screen(style, mode=mode).rectangle(*row)
     one.rectangle(*row)
     other.line(left, top, right, top)
     other.line(right, top, right, bottom)
