@@ -9,6 +9,7 @@ os.environ.pop("BGI_KEYS", None)
 
 from collections.abc import Callable, Iterator
 
+import hypothesis
 import pytest
 
 import bgi
@@ -17,6 +18,10 @@ from bgi.graphics import Graphics
 from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
 from bgi.monitor import moment
+
+# An example may take its time: machines are busy now and then.
+hypothesis.settings.register_profile("patient", deadline=None)
+hypothesis.settings.load_profile("patient")
 
 pytest_plugins = ["tests.skips"]
 
