@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from bgi.constants import COPY_PUT, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
 from bgi.fonts.bitmap import CELL
 from bgi.fonts.chr import StrokedFont
@@ -67,7 +69,8 @@ class State:
         self._packed, self._tall_text = mode.file.packed, mode.file.tall_text
         kind = PackedPage if self._packed else Page
         self.pages = [kind(self.card.page(n), *size, mode.pixel_bytes) for n in range(mode.pages)]
-        self._bits = self.pages[0].flat.dtype.type(self._mask)
+        # An array: numpy 1 gives a number alone the type that its value fits into.
+        self._bits = np.array([self._mask], self.pages[0].flat.dtype)
         self.palette = Palette(mode, self.card.palette)
         self.aspect = mode.xasp, YASP
         self._active = 0

@@ -48,6 +48,7 @@ MAX_DIMENSIONS = 32
 TO_INT: dict[type, Callable[[Any], int]] = {
     **dict.fromkeys((int, np.int32, np.int64), operator.index),
     **dict.fromkeys((float, np.float64), trunc),
+    np.bool_: int,
 }
 """How numbers of the commonest types become ints: `TO_INT[type(value)](value)`.
 

@@ -148,7 +148,7 @@ def places(course: Course, steps: Ints, walk: Ints) -> Ints:
     """
     _, n, m, _, across = course
     # A 0-d array saves numpy from looking at a number: a third of the time.
-    place: Ints = steps * np.array((m << _FRACTION_BITS) // n)
+    place: Ints = steps * np.array((m << _FRACTION_BITS) // n, np.int64)
     place += _ROUNDING
     place >>= _SHIFT
     if across == 1:

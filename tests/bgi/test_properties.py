@@ -386,7 +386,7 @@ def test_a_rectangle_is_four_lines_in_every_style(style, row, mode, data):
 @given(n=st.integers(2, 4095), data=st.data(), across=st.sampled_from([1, -1, 640, -4096]))
 def test_every_pixel_of_a_long_line_is_that_of_the_rule(n, data, across):
     m = data.draw(st.integers(1, n - 1))
-    steps = np.arange(n + 1)
+    steps = np.arange(n + 1, dtype=np.int64)
     expected = 3 * steps + across * ((2 * m * steps + n) // (2 * n))
     assert (lines.places((77, n, m, 3, across), steps, 3 * steps) == expected).all()
 

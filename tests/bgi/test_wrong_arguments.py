@@ -5,6 +5,7 @@ It is either taken for what it plainly means, or refused by its name before anyt
 
 import inspect
 import re
+import sys
 from collections.abc import Callable
 from datetime import date
 from decimal import Decimal
@@ -57,7 +58,14 @@ NO_BYTES = [
     *(np.array([object()] * 9), np.array(["2020-01-02"], "datetime64[D]"), np.zeros((9, 9), "u1")),
     *(np.broadcast_to(np.int64(5), BILLION), np.zeros(9, [("a", "i4")]), np.uint8(7)),
 ]
-NO_NAME = ["", "a\0b", b"a\0b", "\ud800", *(value for value in NO_TEXT if type(value) is not bytes)]
+# Windows has names that are half a character.
+NO_NAME = [
+    "",
+    "a\0b",
+    b"a\0b",
+    *["\ud800"] * (sys.platform != "win32"),
+    *(value for value in NO_TEXT if type(value) is not bytes),
+]
 NO_NAME = [value for value in NO_NAME if not isinstance(value, Path)]
 
 OTHERS: dict[str, list[Any]] = {
