@@ -191,11 +191,30 @@ def cscanf(format: str | bytes) -> Any:
         format: what to read, a conversion such as `%d` or `%s` for each value.
 
     Returns what `bgi.stdio.scanf` returns: the value where the format has one conversion, otherwise
-    a tuple; None for what was not typed. Raises what getch() does. Source: conio.h.
+    a tuple; None for what was not typed. Raises what getch() does, KeyboardInterrupt at Ctrl-C, and
+    ValueError for what is no format, before anything is typed. Source: conio.h.
     """
     from bgi.clib import scanf
 
-    return scanf.sscanf(_line(LONGEST), format)
+    return scanf.scan(_TypedLine(), format).returned()
+
+
+class _TypedLine:
+    """The characters of one line, which is typed when the first of them is asked for."""
+
+    def __init__(self) -> None:
+        self._rest: str | None = None
+
+    def getc(self) -> str:
+        """The next character, or "" at the end of the line."""
+        if self._rest is None:
+            self._rest = _line(LONGEST)
+        first, self._rest = self._rest[:1], self._rest[1:]
+        return first
+
+    def ungetc(self, character: str) -> None:
+        """Take the last character back."""
+        self._rest = character + (self._rest or "")
 
 
 def getpass(prompt: str | bytes) -> str:

@@ -165,6 +165,14 @@ def test_cgets_cscanf_and_getpass_read_in_the_window(typed):
         conio.cgets(0)
 
 
+def test_cscanf_refuses_what_is_no_format_before_a_line_is_typed(typed):
+    typed("7\n")
+    with pytest.raises(ValueError, match="no conversion of scanf"):
+        conio.cscanf("%y")
+    assert lines(1) == [""]
+    assert conio.cscanf("%d") == 7
+
+
 def test_cprintf_knows_the_window_and_the_attribute():
     conio.window(79, 1, 80, 2)
     conio.textattr(0x4E)
