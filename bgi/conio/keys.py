@@ -17,8 +17,9 @@ EOF = -1
 def kbhit() -> int:
     """Tell whether a key waits to be read: 1 or 0.
 
-    The second byte of an extended key waits too, until getch() has fetched it. Raises BGIError
-    before initgraph and WindowClosed once the user has closed the window. Source: conio.h.
+    The second byte of an extended key waits too, until getch() has fetched it. Before
+    initgraph it opens a text window. Raises WindowClosed once the user has closed the window.
+    Source: conio.h.
     """
     return int(current.screen.monitor.key_waiting())
 
@@ -28,9 +29,9 @@ def getch() -> int:
 
     A key without a character (arrows, F1..F10, Home, Alt-letters, ...) returns 0 first; the next
     call returns its scan code: 72, 80, 75, 77 for up, down, left, right. Enter is 13, Esc 27;
-    characters beyond ASCII have their codes of code page 437. Raises BGIError before initgraph,
-    WindowClosed if the window is closed meanwhile, and NobodyThere, a kind of it, without a window
-    once the scripted keys (BGI_KEYS) are used up. Source: conio.h.
+    characters beyond ASCII have their codes of code page 437. Before initgraph it opens a text
+    window. Raises WindowClosed if the window is closed meanwhile, and NobodyThere, a kind of it,
+    without a window once the scripted keys (BGI_KEYS) are used up. Source: conio.h.
     """
     return _KEYS[current.screen.monitor.read_key()]
 

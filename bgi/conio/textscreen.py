@@ -83,7 +83,6 @@ def gotoxy(x: Number, y: Number) -> None:
         x, y: column and row, from 1 on.
 
     Ignored outside the window. Over a picture it moves the place where `bgi.stdio` writes.
-
     """
     crt = current.crt or current.console()
     left, top, right, bottom = crt.window
@@ -112,8 +111,6 @@ def textattr(newattr: Number) -> None:
 
     Args:
         newattr: 0..255; the low byte counts.
-
-
     """
     (current.crt or current.console()).attribute = whole("newattr", newattr) & 0xFF
 
@@ -123,8 +120,6 @@ def textcolor(newcolor: Number) -> None:
 
     Args:
         newcolor: 0..15, plus BLINK to blink.
-
-
     """
     crt = current.crt or current.console()
     crt.attribute = crt.attribute & 0x70 | whole("newcolor", newcolor) & 0x8F
@@ -135,8 +130,6 @@ def textbackground(newcolor: Number) -> None:
 
     Args:
         newcolor: 0..7; the low three bits count.
-
-
     """
     crt = current.crt or current.console()
     crt.attribute = crt.attribute & 0x8F | (whole("newcolor", newcolor) & 7) << 4
@@ -162,8 +155,6 @@ def _setcursortype(cur_t: Number) -> None:
 
     Args:
         cur_t: _NOCURSOR, _SOLIDCURSOR or _NORMALCURSOR; others are ignored.
-
-
     """
     (current.crt or current.console()).choose_cursor(whole("cur_t", cur_t))
 
