@@ -22,7 +22,7 @@ from bgi import __version__, current
 from bgi.fonts import DATA
 from bgi.kernel import hints
 from bgi.machine import display_exists
-from bgi.memory.sdl import pygame, quietly, twins
+from bgi.memory.sdl import FOUND, pygame, quietly, twins
 from bgi.monitor import ending
 from bgi.monitor.plan import note, written
 from bgi.monitor.recorder import missing
@@ -197,6 +197,8 @@ def _say_what_there_is() -> None:
 
 
 def _pygame() -> str:
+    if not FOUND:
+        return "not installed: no window"
     maker = " of pygame-ce" if hasattr(pygame, "IS_CE") else ""
     sdl = ".".join(map(str, pygame.get_sdl_version()))
     return "; ".join(filter(None, (f"{pygame.version.ver}{maker} (SDL {sdl})", twins())))
@@ -210,7 +212,7 @@ def _installed(package: str) -> str:
 
 
 def _display() -> str:
-    if not display_exists():
+    if not (FOUND and display_exists()):
         return "none"
     try:
         with quietly():
@@ -224,6 +226,8 @@ def _display() -> str:
 
 
 def _sound() -> str:
+    if not FOUND:
+        return "none"
     from pygame import _sdl2
 
     try:

@@ -4,7 +4,7 @@ import functools
 import os
 import sys
 
-from bgi.memory.sdl import pygame, quietly
+from bgi.memory.sdl import FOUND, pygame, quietly
 
 UNSEEN = 1920, 1080
 """The size of the desktop where there is none: chosen."""
@@ -28,7 +28,7 @@ def desktop_size() -> tuple[int, int]:
 
     1920, 1080 where there is no display.
     """
-    if not display_exists() or os.environ.get("BGI_MONITOR") == "none":
+    if not (FOUND and display_exists()) or os.environ.get("BGI_MONITOR") == "none":
         return UNSEEN
     ours = not pygame.display.get_init()  # a program may use pygame's display itself
     try:

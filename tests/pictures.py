@@ -4,9 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bgi.memory.imagefile import save
+from bgi.memory.imagefile import load, save
 from bgi.memory.rgb import SIXTEEN
-from bgi.memory.sdl import pygame
 
 FAILED = Path(__file__).parent / "failed"
 _COLORS = np.array(SIXTEEN * 16, dtype=np.uint8)
@@ -14,7 +13,7 @@ _COLORS = np.array(SIXTEEN * 16, dtype=np.uint8)
 
 def read_indices(path):
     """The palette indices of a PNG, shape (height, width)."""
-    return pygame.surfarray.array2d(pygame.image.load(path)).T.astype(np.uint8)
+    return load(path).pixels
 
 
 def points(screen):

@@ -14,6 +14,8 @@ from collections.abc import Generator
 import numpy as np
 import pytest
 
+from bgi.memory import sdl
+
 IN_CI = bool(os.environ.get("CI"))
 WINDOWS, MACOS, LINUX = (sys.platform == name for name in ("win32", "darwin", "linux"))
 
@@ -31,6 +33,7 @@ REASONS = {
     "needs xdotool": _no_program("xdotool"),
     "needs import": _no_program("import"),  # ImageMagick's
     "needs setxkbmap": _no_program("setxkbmap"),
+    "needs pygame": not sdl.FOUND,
     "needs Pillow": _no_package("PIL"),
     "needs Hershey-Fonts": _no_package("HersheyFonts"),
     "needs shapely": _no_package("shapely"),
@@ -44,6 +47,8 @@ REASONS = {
     "there is always a display": WINDOWS or MACOS,
     "numpy 1 imports random itself": np.lib.NumpyVersion(np.__version__) < "2.0.0",
 }
+
+needs_pygame = pytest.mark.skipif(not sdl.FOUND, reason="needs pygame")
 
 
 def unexpected(reason: str) -> str:

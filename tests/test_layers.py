@@ -39,6 +39,11 @@ LAYERS = [
     "bgi.memory.palette",
     "bgi.memory.sdl",
     "bgi.machine",
+    "bgi.memory.pngfile",
+    "bgi.memory.bmpfile",
+    "bgi.memory.withpygame",
+    "bgi.memory.withnumpy",
+    "bgi.memory.backend",
     "bgi.memory.operators",
     "bgi.memory.boxes",
     "bgi.memory.scrolling",
@@ -60,6 +65,7 @@ LAYERS = [
     "bgi.kernel.drivers",
     "bgi.kernel.state",
     "bgi.kernel",
+    "bgi.monitor.sdlkeys",
     "bgi.monitor.keycodes",
     "bgi.monitor.keyqueue",
     "bgi.monitor.script",
@@ -235,7 +241,7 @@ def test_raster_is_pure():
 
 def test_only_pages_set_pixels():
     """No other drawing module writes into pixel memory."""
-    kinds = ("pixmap", "areas", "strokes", "page", "packedpage", "cells")
+    kinds = ["pixmap", "areas", "strokes", "page", "packedpage", "cells", "withpygame", "withnumpy"]
     pages = [f"bgi.memory.{kind}" for kind in kinds]
     for name, path in MODULES:
         if name.startswith("bgi.") and name not in pages:

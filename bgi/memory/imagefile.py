@@ -2,7 +2,7 @@
 
 Four formats are promised and no other is tried, each known by its first bytes: what a user was
 sent may be malformed, and some of SDL's readers crash on that. PNG, BMP and JPEG are read by SDL,
-whose readers of these do not; GIF by `bgi.memory.gif`.
+whose readers of these do not (or by `bgi.memory.backend` without it); GIF by `bgi.memory.gif`.
 """
 
 from __future__ import annotations
@@ -18,9 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.errors import brief
-from bgi.memory import gif, jpeg
+from bgi.memory import backend, gif, jpeg
 from bgi.memory.matching import shown
-from bgi.memory.sdl import pygame, quietly
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -46,21 +45,13 @@ def encode(pixels: NDArray[Any], palette: Colors, form: str) -> bytes:
     Indices are kept as they are, except in JPEG; pixels of four bytes become the colours that they
     mean. ValueError for "gif" where Pillow is not installed.
     """
-    size = pixels.shape[1], pixels.shape[0]
-    if pixels.dtype == np.uint8 and form != "jpg":
-        surface = pygame.image.frombuffer(np.ascontiguousarray(pixels).data, size, "P")
-        surface.set_palette(palette.tolist())
-    else:
-        surface = pygame.image.frombuffer(shown(pixels, palette).tobytes(), size, "RGB")
-    file = io.BytesIO()
-    if form == "gif":
-        _save_gif(surface, file)
-    else:
-        pygame.image.save(surface, file, form)
-    return file.getvalue()
+    indexed = pixels.dtype == np.uint8 and form != "jpg"
+    picture = pixels if indexed else shown(pixels, palette)
+    write = _write_gif if form == "gif" else backend.write_picture
+    return write(np.ascontiguousarray(picture), palette if indexed else None, form)
 
 
-def _save_gif(surface: pygame.Surface, file: io.BytesIO) -> None:
+def _write_gif(picture: NDArray[np.uint8], palette: Colors | None, form: str) -> bytes:
     try:
         from PIL import Image
     except ImportError:
@@ -68,12 +59,12 @@ def _save_gif(surface: pygame.Surface, file: io.BytesIO) -> None:
             "a GIF is written by Pillow, which is not installed (pip install pillow); "
             "or choose a name that ends in .png, .bmp or .jpg"
         ) from None
-    indexed = surface.get_bitsize() == 8
-    form: Any = "P" if indexed else "RGB"
-    image = Image.frombytes(form, surface.get_size(), pygame.image.tobytes(surface, form))
-    if indexed:
-        image.putpalette([part for color in surface.get_palette() for part in tuple(color)[:3]])
-    image.save(file, format="GIF", optimize=False)
+    image = Image.fromarray(picture)
+    if palette is not None:
+        image.putpalette(palette.tobytes())  # the image is in colours of its own from here on
+    file = io.BytesIO()
+    image.save(file, format=form, optimize=False)
+    return file.getvalue()
 
 
 ENDINGS = {"": "png", ".png": "png", ".bmp": "bmp", ".jpg": "jpg", ".jpeg": "jpg", ".gif": "gif"}
@@ -159,14 +150,14 @@ def _check_size(width: int, height: int) -> None:
 
 def _read_png(data: bytes) -> Picture:
     _check_size(*_fields(">II", data, 16))
-    return _read_by_sdl(data, "png")
+    return _read(data, "png")
 
 
 def _read_bmp(data: bytes) -> Picture:
     (length,) = _fields("<I", data, 14)
     width, height = _fields("<HH" if length == 12 else "<ii", data, 18)
     _check_size(width, abs(height))  # upside down if negative
-    return _read_by_sdl(data, "bmp")
+    return _read(data, "bmp")
 
 
 def _read_jpeg(data: bytes) -> Picture:
@@ -174,7 +165,7 @@ def _read_jpeg(data: bytes) -> Picture:
     _check_size(head.width, head.height)
     if head.components == 4:
         raise ValueError("its colours are for print (CMYK); save it as RGB")
-    picture = _read_by_sdl(data, "jpg")
+    picture = _read(data, "jpg")
     upright = _UPRIGHT[head.orientation]
     return Picture(np.ascontiguousarray(upright(picture.rgba)), None)
 
@@ -191,24 +182,8 @@ def _fields(form: str, data: bytes, at: int) -> tuple[int, ...]:
         raise ValueError("it ends too soon") from None
 
 
-def _read_by_sdl(data: bytes, form: str) -> Picture:
-    try:
-        with quietly():  # libpng prints what it thinks of a file
-            surface = pygame.image.load(io.BytesIO(data), form)
-    except pygame.error as error:
-        raise ValueError(str(error)) from None
-    width, height = surface.get_size()
-    if surface.get_bitsize() != 8:
-        pixels = np.frombuffer(pygame.image.tobytes(surface, "RGBA"), np.uint8)
-        return Picture(pixels.reshape(height, width, 4), None)
-    pixels = np.frombuffer(pygame.image.tobytes(surface, "P"), np.uint8)
-    colors = np.full((256, 4), 255, np.uint8)
-    palette = np.array([tuple(color)[:3] for color in surface.get_palette()], np.uint8)
-    colors[: len(palette), :3] = palette
-    key = surface.get_colorkey()
-    if key is not None:
-        colors[surface.map_rgb(key), 3] = 0
-    return Picture(pixels.reshape(height, width), colors)
+def _read(data: bytes, form: str) -> Picture:
+    return Picture(*backend.read_picture(data, form))
 
 
 _READERS: dict[bytes, Callable[[bytes], Picture]] = {

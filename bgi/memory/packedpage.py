@@ -5,8 +5,8 @@ right, and an upright line from its second end: the same rule with x and y excha
 too (Turbo C++ 3.0, captured).
 """
 
+from bgi.memory.backend import draw_line
 from bgi.memory.page import Page
-from bgi.memory.sdl import pygame
 from bgi.raster import lines
 
 
@@ -21,7 +21,7 @@ class PackedPage(Page):
         visible = lines.clip(x1, y1, x2, y2, self.box)
         if visible is not None:
             left, right = sorted((visible[:2], visible[2:]))
-            pygame.draw.line(self._surface, color, right, left)
+            draw_line(self._surface, color, right, left)
 
     def thick_line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """A thick solid line."""

@@ -1,26 +1,25 @@
 """The pixels of a page: set one by one, and moved as pictures.
 
-They are a numpy array, a memoryview and a pygame surface over the same bytes, each used where it
-is fastest: the memoryview for one pixel or a row, pygame for solid lines and small boxes, numpy for
-everything that is many. All coordinates are absolute.
+They are a numpy array, a memoryview and a surface (`bgi.memory.backend`) over the same bytes, each
+used where it is fastest: the memoryview for one pixel or a row, the surface for solid lines and
+small boxes, numpy for everything that is many. All coordinates are absolute.
 """
 
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.memory import backend
 from bgi.memory.boxes import overlap, within
 from bgi.memory.operators import OPERATORS
 from bgi.memory.scrolling import scroll
-from bgi.memory.sdl import pygame
 from bgi.raster.lines import Box, Ints
 
 Mask = NDArray[np.bool_]
 Pixels = NDArray[Any]
 
 _PIXEL: dict[int, np.dtype[Any]] = {1: np.dtype(np.uint8), 4: np.dtype("<u4")}
-_FORMAT: dict[int, Literal["P", "RGBX"]] = {1: "P", 4: "RGBX"}
 
 
 class Pixmap:
@@ -38,7 +37,7 @@ class Pixmap:
         self.array = self.flat.reshape(height, width)
         self._pixels = self.array.data
         self._row = self.flat.data
-        self._surface = pygame.image.frombuffer(memory, (width, height), _FORMAT[pixel_bytes])
+        self._surface = backend.surface(memory, width, height, pixel_bytes)
         self._all = 0, 0, width - 1, height - 1
         self.clip_to(self._all)
 
@@ -46,7 +45,6 @@ class Pixmap:
         """Confine all drawing to left, top, right, bottom (inclusive, within the page)."""
         self.box = left, top, right, bottom = box
         self._left, self._top, self._right, self._bottom = left, top, right, bottom
-        self._surface.set_clip((left, top, right - left + 1, bottom - top + 1))
 
     # Pixels
 

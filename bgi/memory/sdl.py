@@ -1,7 +1,8 @@
 """The one place that imports pygame: quietly, and with advice where it is broken.
 
 pygame and pygame-ce are twins that install the same folder `pygame`. Together they are a mixture,
-and uninstalling either breaks the other.
+and uninstalling either breaks the other. Where neither is there, as in a browser's Python, all but
+the window goes on with numpy alone (`bgi.memory.backend`); BGI_PYGAME=none does as if.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import os
 import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -34,18 +35,29 @@ def _without(name: str) -> Iterator[None]:
             sys.modules[name] = before
 
 
+class _NoPygame:
+    """Stands where pygame would: any use says that it is not there."""
+
+    def __getattr__(self, name: str) -> NoReturn:
+        raise ImportError("pygame is not installed; type: pip install pygame")
+
+
+FOUND = os.environ.get("BGI_PYGAME") != "none" and find_spec("pygame") is not None
+
 # pygame asks setuptools for its font, if that is installed. To import it takes a tenth of a second,
 # and it imports random: many a program has a random.py of its own beside it.
-try:
-    with _without("pkg_resources"):
-        import pygame as pygame
-    from pygame import Surface as _Surface  # noqa: F401  # gone when a twin has been uninstalled
-except ImportError as error:
-    if find_spec("pygame") is None:
-        raise
-    raise ImportError(f"pygame is there, but broken ({error}); {ADVICE}") from error
+if TYPE_CHECKING or FOUND:
+    try:
+        with _without("pkg_resources"):
+            import pygame as pygame
+        # Gone when a twin has been uninstalled.
+        from pygame import Surface as _Surface  # noqa: F401
+    except ImportError as error:
+        raise ImportError(f"pygame is there, but broken ({error}); {ADVICE}") from error
+else:
+    pygame = _NoPygame()
 
-__all__ = ["pygame", "quietly", "twins"]
+__all__ = ["FOUND", "pygame", "quietly", "twins"]
 
 
 @contextlib.contextmanager

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from bgi.memory.areas import Areas
-from bgi.memory.sdl import pygame
+from bgi.memory.backend import draw_box, draw_line
 from bgi.raster import lines
 from bgi.raster.lines import Ints, Segments
 from bgi.raster.patterns import SOLID, Dashes, walk
@@ -51,9 +51,9 @@ class Strokes(Areas):
         # From its lower end to its upper one, pygame's line (Bresenham's, too) sets exactly the
         # driver's pixels: ties step to the same side.
         elif y1 < y2:
-            pygame.draw.line(self._surface, color, (x2, y2), (x1, y1))
+            draw_line(self._surface, color, (x2, y2), (x1, y1))
         else:
-            pygame.draw.line(self._surface, color, (x1, y1), (x2, y2))
+            draw_line(self._surface, color, (x1, y1), (x2, y2))
 
     def thick_line(self, x1: int, y1: int, x2: int, y2: int, color: int) -> None:
         """A thick solid line: three thin ones, each clipped on its own."""
@@ -70,7 +70,7 @@ class Strokes(Areas):
         ):
             if y1 < y2:
                 x1, y1, x2, y2 = x2, y2, x1, y1
-            pygame.draw.line(self._surface, color, (x1, y1), (x2, y2), 3)
+            draw_line(self._surface, color, (x1, y1), (x2, y2), 3)
         else:
             for strand in lines.strands(x1, y1, x2, y2):
                 self.line(*strand, color)
@@ -199,15 +199,15 @@ class Strokes(Areas):
             left, right = right, left
         if top > bottom:
             top, bottom = bottom, top
-        # A side that cannot be seen goes beside the clipping box: pygame takes small numbers only.
-        if left < self._left:
-            left = self._left - 1
-        if top < self._top:
-            top = self._top - 1
-        if right > self._right:
-            right = self._right + 1
-        if bottom > self._bottom:
-            bottom = self._bottom + 1
-        if left <= right and top <= bottom:
-            box = (left, top, right - left + 1, bottom - top + 1)
-            pygame.draw.rect(self._surface, color, box, 1)
+        if (
+            left >= self._left
+            and top >= self._top
+            and right <= self._right
+            and bottom <= self._bottom
+        ):
+            draw_box(self._surface, color, (left, top, right - left + 1, bottom - top + 1), 1)
+            return
+        self.line(left, top, right, top, color)
+        self.line(right, top, right, bottom, color)
+        self.line(right, bottom, left, bottom, color)
+        self.line(left, bottom, left, top, color)

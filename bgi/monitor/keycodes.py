@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterable
 
 from bgi.errors import brief
-from bgi.memory.sdl import pygame
+from bgi.monitor import sdlkeys
 
 _PLAIN, _SHIFT, _CTRL, _ALT = range(4)
 
@@ -22,7 +22,7 @@ def _letters(letters: str, first: int) -> dict[int, bytes]:
     return _extended(map(ord, letters), *range(first, first + len(letters)))
 
 
-_FUNCTION_KEYS = [getattr(pygame, f"K_F{number}") for number in range(1, 13)]
+_FUNCTION_KEYS = range(sdlkeys.K_F1, sdlkeys.K_F1 + 12)
 
 
 def _function_keys(f1: int, f11: int) -> dict[int, bytes]:
@@ -33,32 +33,32 @@ def _function_keys(f1: int, f11: int) -> dict[int, bytes]:
 # the codes of the enhanced BIOS call. pygame's number of an ASCII character's key is its code.
 _CODES: dict[int, dict[int, bytes]] = {
     _PLAIN: {
-        pygame.K_RETURN: b"\r",
-        pygame.K_KP_ENTER: b"\r",
-        pygame.K_ESCAPE: b"\x1b",
-        pygame.K_TAB: b"\t",
-        pygame.K_BACKSPACE: b"\b",
-        **_extended((pygame.K_HOME, pygame.K_UP, pygame.K_PAGEUP), 71, 72, 73),
-        **_extended((pygame.K_LEFT, pygame.K_KP5, pygame.K_RIGHT), 75, 76, 77),
-        **_extended((pygame.K_END, pygame.K_DOWN, pygame.K_PAGEDOWN), 79, 80, 81),
-        **_extended((pygame.K_INSERT, pygame.K_DELETE), 82, 83),
+        sdlkeys.K_RETURN: b"\r",
+        sdlkeys.K_KP_ENTER: b"\r",
+        sdlkeys.K_ESCAPE: b"\x1b",
+        sdlkeys.K_TAB: b"\t",
+        sdlkeys.K_BACKSPACE: b"\b",
+        **_extended((sdlkeys.K_HOME, sdlkeys.K_UP, sdlkeys.K_PAGEUP), 71, 72, 73),
+        **_extended((sdlkeys.K_LEFT, sdlkeys.K_KP5, sdlkeys.K_RIGHT), 75, 76, 77),
+        **_extended((sdlkeys.K_END, sdlkeys.K_DOWN, sdlkeys.K_PAGEDOWN), 79, 80, 81),
+        **_extended((sdlkeys.K_INSERT, sdlkeys.K_DELETE), 82, 83),
         **_function_keys(59, 133),
     },
     _SHIFT: {
-        **_extended((pygame.K_TAB,), 15),
+        **_extended((sdlkeys.K_TAB,), 15),
         **_function_keys(84, 135),
     },
     _CTRL: {
         **{ord(letter): bytes((ord(letter) - 96,)) for letter in "abcdefghijklmnopqrstuvwxyz"},
-        pygame.K_RETURN: b"\n",
-        pygame.K_KP_ENTER: b"\n",
-        pygame.K_ESCAPE: b"\x1b",
-        pygame.K_BACKSPACE: b"\x7f",
-        pygame.K_SPACE: b" ",
-        **_extended((pygame.K_2, pygame.K_AT, pygame.K_PRINTSCREEN), 3, 3, 114),
-        **_extended((pygame.K_LEFT, pygame.K_RIGHT), 115, 116),
-        **_extended((pygame.K_END, pygame.K_PAGEDOWN), 117, 118),
-        **_extended((pygame.K_HOME, pygame.K_PAGEUP), 119, 132),
+        sdlkeys.K_RETURN: b"\n",
+        sdlkeys.K_KP_ENTER: b"\n",
+        sdlkeys.K_ESCAPE: b"\x1b",
+        sdlkeys.K_BACKSPACE: b"\x7f",
+        sdlkeys.K_SPACE: b" ",
+        **_extended((sdlkeys.K_2, sdlkeys.K_AT, sdlkeys.K_PRINTSCREEN), 3, 3, 114),
+        **_extended((sdlkeys.K_LEFT, sdlkeys.K_RIGHT), 115, 116),
+        **_extended((sdlkeys.K_END, sdlkeys.K_PAGEDOWN), 117, 118),
+        **_extended((sdlkeys.K_HOME, sdlkeys.K_PAGEUP), 119, 132),
         **_function_keys(94, 137),
     },
     _ALT: {
@@ -72,46 +72,46 @@ _CODES: dict[int, dict[int, bytes]] = {
 
 # What the numeric keypad means while NumLock is off.
 _KEYPAD = {
-    pygame.K_KP0: pygame.K_INSERT,
-    pygame.K_KP1: pygame.K_END,
-    pygame.K_KP2: pygame.K_DOWN,
-    pygame.K_KP3: pygame.K_PAGEDOWN,
-    pygame.K_KP4: pygame.K_LEFT,
-    pygame.K_KP6: pygame.K_RIGHT,
-    pygame.K_KP7: pygame.K_HOME,
-    pygame.K_KP8: pygame.K_UP,
-    pygame.K_KP9: pygame.K_PAGEUP,
-    pygame.K_KP_PERIOD: pygame.K_DELETE,
+    sdlkeys.K_KP0: sdlkeys.K_INSERT,
+    sdlkeys.K_KP1: sdlkeys.K_END,
+    sdlkeys.K_KP2: sdlkeys.K_DOWN,
+    sdlkeys.K_KP3: sdlkeys.K_PAGEDOWN,
+    sdlkeys.K_KP4: sdlkeys.K_LEFT,
+    sdlkeys.K_KP6: sdlkeys.K_RIGHT,
+    sdlkeys.K_KP7: sdlkeys.K_HOME,
+    sdlkeys.K_KP8: sdlkeys.K_UP,
+    sdlkeys.K_KP9: sdlkeys.K_PAGEUP,
+    sdlkeys.K_KP_PERIOD: sdlkeys.K_DELETE,
 }
 
 _NAMED = {
-    "esc": pygame.K_ESCAPE,
-    "enter": pygame.K_RETURN,
-    "space": pygame.K_SPACE,
-    "tab": pygame.K_TAB,
-    "backspace": pygame.K_BACKSPACE,
-    "up": pygame.K_UP,
-    "down": pygame.K_DOWN,
-    "left": pygame.K_LEFT,
-    "right": pygame.K_RIGHT,
-    "home": pygame.K_HOME,
-    "end": pygame.K_END,
-    "pgup": pygame.K_PAGEUP,
-    "pgdn": pygame.K_PAGEDOWN,
-    "ins": pygame.K_INSERT,
-    "del": pygame.K_DELETE,
+    "esc": sdlkeys.K_ESCAPE,
+    "enter": sdlkeys.K_RETURN,
+    "space": sdlkeys.K_SPACE,
+    "tab": sdlkeys.K_TAB,
+    "backspace": sdlkeys.K_BACKSPACE,
+    "up": sdlkeys.K_UP,
+    "down": sdlkeys.K_DOWN,
+    "left": sdlkeys.K_LEFT,
+    "right": sdlkeys.K_RIGHT,
+    "home": sdlkeys.K_HOME,
+    "end": sdlkeys.K_END,
+    "pgup": sdlkeys.K_PAGEUP,
+    "pgdn": sdlkeys.K_PAGEDOWN,
+    "ins": sdlkeys.K_INSERT,
+    "del": sdlkeys.K_DELETE,
     **{f"f{number}": key for number, key in enumerate(_FUNCTION_KEYS, 1)},
 }
 # Keys that change others.
 _CHANGING = {
-    pygame.K_LSHIFT: "shift",
-    pygame.K_RSHIFT: "shift",
-    pygame.K_LCTRL: "ctrl",
-    pygame.K_RCTRL: "ctrl",
-    pygame.K_LALT: "alt",
-    pygame.K_RALT: "alt",
+    sdlkeys.K_LSHIFT: "shift",
+    sdlkeys.K_RSHIFT: "shift",
+    sdlkeys.K_LCTRL: "ctrl",
+    sdlkeys.K_RCTRL: "ctrl",
+    sdlkeys.K_LALT: "alt",
+    sdlkeys.K_RALT: "alt",
 }
-_NAMES = {key: name for name, key in _NAMED.items()} | {pygame.K_KP_ENTER: "enter"} | _CHANGING
+_NAMES = {key: name for name, key in _NAMED.items()} | {sdlkeys.K_KP_ENTER: "enter"} | _CHANGING
 
 KEYSTROKES = {name: _CODES[_PLAIN].get(key, b" ") for name, key in _NAMED.items()} | {
     "shift": b"",
@@ -126,7 +126,7 @@ def encode(key: int, mods: int, unicode: str) -> bytes:
 
     The arguments are the attributes `key`, `mod` and `unicode` of pygame's KEYDOWN event.
     """
-    if mods & pygame.KMOD_META:  # Windows and Command keys speak to the desktop
+    if mods & sdlkeys.KMOD_META:  # Windows and Command keys speak to the desktop
         return b""
     if not unicode:
         key = _KEYPAD.get(key, key)
@@ -144,14 +144,14 @@ def encode(key: int, mods: int, unicode: str) -> bytes:
 
 def _modifier(key: int, mods: int, unicode: str) -> int:
     # AltGr (on Windows it comes as Ctrl and right Alt) writes characters: then it is not Alt.
-    if mods & pygame.KMOD_RALT and unicode and [*map(ord, unicode.lower())] != [key]:
+    if mods & sdlkeys.KMOD_RALT and unicode and [*map(ord, unicode.lower())] != [key]:
         return _PLAIN
     # The order in which the BIOS asks.
-    if mods & pygame.KMOD_ALT:
+    if mods & sdlkeys.KMOD_ALT:
         return _ALT
-    if mods & pygame.KMOD_CTRL:
+    if mods & sdlkeys.KMOD_CTRL:
         return _CTRL
-    return _SHIFT if mods & pygame.KMOD_SHIFT else _PLAIN
+    return _SHIFT if mods & sdlkeys.KMOD_SHIFT else _PLAIN
 
 
 def typed(characters: str) -> bytes:
@@ -217,12 +217,12 @@ def bios_code(keystroke: bytes) -> int:
 
 # The BIOS's flags for the keys that change others: bioskey(2).
 _SHIFT_FLAGS = {
-    pygame.KMOD_RSHIFT: 0x01,
-    pygame.KMOD_LSHIFT: 0x02,
-    pygame.KMOD_CTRL: 0x04,
-    pygame.KMOD_ALT: 0x08,
-    pygame.KMOD_NUM: 0x20,
-    pygame.KMOD_CAPS: 0x40,
+    sdlkeys.KMOD_RSHIFT: 0x01,
+    sdlkeys.KMOD_LSHIFT: 0x02,
+    sdlkeys.KMOD_CTRL: 0x04,
+    sdlkeys.KMOD_ALT: 0x08,
+    sdlkeys.KMOD_NUM: 0x20,
+    sdlkeys.KMOD_CAPS: 0x40,
 }
 
 

@@ -11,7 +11,7 @@ import sys
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
-from bgi.memory.sdl import pygame
+from bgi.memory.sdl import FOUND, pygame
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
@@ -45,6 +45,8 @@ _FLAGS = {
 
 def start(card: Card) -> subprocess.Popen[bytes]:
     """Start the window's process for a card; BGIError if that fails."""
+    if not FOUND:
+        raise BGIError("no window: pygame is not installed (pip install pygame)")
     command = [
         sys.executable,
         *(flag for name, flag in _FLAGS.items() if getattr(sys.flags, name)),

@@ -11,6 +11,9 @@ import pytest
 import bgi
 from bgi.memory.sdl import pygame
 from tests.processes import PATIENCE, posix
+from tests.skips import needs_pygame
+
+pytestmark = needs_pygame  # most of it is about windows
 
 HOME = Path(__file__).resolve().parents[2]
 

@@ -80,6 +80,8 @@ def test_rectangle_in_xor_spares_its_corners(vga):
         (2, 1, 2, 5),
         (-3, -3, 700, 500),
         (1, 3, 6, 3),
+        (638, 100, 700, 200),  # two columns of it are seen: pygame's own clipping filled them
+        (100, -50, 200, 1),
     ],
 )
 def test_rectangle_is_four_lines(new_screen, corners):

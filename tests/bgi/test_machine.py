@@ -7,6 +7,7 @@ import pytest
 import bgi
 from bgi.machine import UNSEEN, desktop_size, display_exists
 from bgi.memory.sdl import pygame
+from tests.skips import needs_pygame
 
 NAMES = "DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"
 
@@ -41,6 +42,7 @@ def test_without_a_display_the_desktop_has_a_usual_size(asked_anew, monkeypatch)
     assert (bgi.getmaxwidth(), bgi.getmaxheight()) == UNSEEN
 
 
+@needs_pygame
 def test_the_desktop_is_asked_and_pygame_left_as_it_was(asked_anew, monkeypatch):
     monkeypatch.setenv("BGI_MONITOR", "window")
     monkeypatch.setattr(pygame.display, "get_desktop_sizes", lambda: [(1366, 768), (9, 9)])

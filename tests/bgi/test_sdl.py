@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from bgi.memory.sdl import twins
+from tests.skips import needs_pygame
 
 ROOT = Path(__file__).parents[2]
 
@@ -36,6 +37,7 @@ def test_two_of_them_are(tmp_path, name):
     )
 
 
+@needs_pygame
 def test_what_is_left_of_a_pygame_is_no_pygame(tmp_path):
     """Uninstalling one of the two leaves a folder that lacks the modules of the other."""
     (tmp_path / "pygame").mkdir()

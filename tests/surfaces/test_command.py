@@ -9,10 +9,10 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-import pygame
 import pytest
 
 import bgi
+from bgi.memory.imagefile import load
 from surfaces import FIELDS, MODES, PROJECTIONS, RAMPS, rotation, surface
 from surfaces.__main__ import main
 from surfaces.animation import PillowMissing, progress, save_gif
@@ -91,7 +91,7 @@ def test_every_option_changes_the_picture(
 
 def pixels(file: Path) -> np.ndarray:
     """The colors of a picture that was written, (height, width, 3)."""
-    return pygame.surfarray.array3d(pygame.image.load(file)).swapaxes(0, 1)
+    return load(file).rgba[..., :3]
 
 
 def test_every_option_is_tried(capsys: pytest.CaptureFixture[str]) -> None:
