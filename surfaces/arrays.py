@@ -3,6 +3,7 @@
 import sys
 from functools import cache
 from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +32,14 @@ def middle(box: Box) -> Doubles:
 def corners(box: Box) -> Doubles:
     """The eight corners of a box, (8, 3)."""
     return np.array(list(product(*np.transpose(box))))
+
+
+def repeat(values: NDArray[Any], counts: NDArray[np.integer[Any]]) -> NDArray[Any]:
+    """Each element as often as its count says; counts of any whole numbers.
+
+    numpy takes no int64 for counts where an address has 32 bits, as in a browser.
+    """
+    return np.repeat(values, counts.astype(np.intp, copy=False))
 
 
 def masks_exist() -> bool:

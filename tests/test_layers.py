@@ -23,6 +23,7 @@ LAYERS = [
     "bgi.clib.printf",
     "bgi.clib.",
     "bgi.kernel.textmodes",
+    "bgi.raster.arrays",
     "bgi.raster.lines",
     "bgi.raster.offsets",
     "bgi.raster.kept",
@@ -248,6 +249,16 @@ def test_only_pages_set_pixels():
             text = path.read_text("utf-8")
             assert not re.search(r"\.(flat|array)\[.*\] *[\^|&]?=[^=]", text), name
             assert "pygame.draw" not in text, name
+
+
+def test_arrays_are_repeated_as_32_bits_allow():
+    """Where an address has 32 bits, np.repeat takes no counts of int64: then it must be told."""
+    for name, path in MODULES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) == "np.repeat":
+                counts = node.args[1]
+                known = isinstance(counts, ast.Constant) or "np.intp" in ast.unparse(counts)
+                assert known, f"{name}:{node.lineno}: use repeat() of bgi.raster or surfaces.arrays"
 
 
 @pytest.mark.parametrize("package", ["bgi", "surfaces"])

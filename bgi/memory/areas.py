@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from bgi.memory.pixmap import Mask, Pixels, Pixmap
+from bgi.raster.arrays import repeat
 from bgi.raster.ellipses import FigureRows
 from bgi.raster.floodfill import flood
 from bgi.raster.lines import CHUNK, Box, Ints, grouped
@@ -128,11 +129,11 @@ class Areas(Pixmap):
         inks = fills.astype(self.flat.dtype)[spans.owner]
         for part in grouped(lengths, CHUNK):
             length = lengths[part]
-            place = np.repeat(starts[part] - (np.cumsum(length) - length), length)
+            place = repeat(starts[part] - (np.cumsum(length) - length), length)
             place += np.arange(len(place))
-            self.flat[place] = self._patterned(place, np.repeat(inks[part], length), rows)
+            self.flat[place] = self._patterned(place, repeat(inks[part], length), rows)
             if last is not None:
-                last[place] = np.repeat(spans.owner[part], length)
+                last[place] = repeat(spans.owner[part], length)
 
     def fill_figure(self, x: int, y: int, rows: FigureRows, color: int, pattern: bytes) -> None:
         """The rows of a figure at x, y, in a fill pattern."""

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.raster.arrays import repeat
 from bgi.raster.lines import Ints
 
 Runs = tuple[list[int], list[int]]
@@ -80,8 +81,8 @@ def _touching(starts: Ints, ends: Ints, width: int) -> tuple[Ints, Ints]:
     """The pairs of runs that touch, by number: one, and one below it."""
     first = np.searchsorted(ends, starts + width, side="right")
     count = np.searchsorted(starts, ends + width, side="left") - first
-    upper = np.repeat(np.arange(len(starts)), count)
-    lower = np.arange(len(upper)) + np.repeat(first - (np.cumsum(count) - count), count)
+    upper = repeat(np.arange(len(starts)), count)
+    lower = np.arange(len(upper)) + repeat(first - (np.cumsum(count) - count), count)
     return upper, lower
 
 

@@ -20,6 +20,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.raster.arrays import repeat
+
 Ints = NDArray[np.int64]
 Box = tuple[int, int, int, int]
 """left, top, right, bottom, all inside."""
@@ -179,7 +181,7 @@ def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
     y1, y2 = np.where(up, y2, y1), np.where(up, y1, y2)
     dx, dy = x2 - x1, y2 - y1
     n = np.maximum(abs(dx), dy)
-    line = np.repeat(np.arange(len(n)), n + 1)
+    line = repeat(np.arange(len(n)), n + 1)
     step = np.arange(len(line)) - (np.cumsum(n + 1) - (n + 1)).take(line)
     # The exact positions are multiples of 1 / n. A half is rounded the way the line goes: adding
     # 1 / 4n more, or less, keeps an error of floating point on the right side.

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bgi.raster import polygons
+from bgi.raster.arrays import repeat
 from bgi.raster.kept import Kept
 from bgi.raster.lines import Trace
 from bgi.raster.offsets import Offsets, offsets, reach
@@ -41,8 +42,8 @@ def _shape(corners: tuple[Point, ...], trace: Trace, width: int) -> Polygon | tu
     y, one, other = np.array([list(part) for part in rows], dtype=np.int64)
     left, right = np.minimum(one, other), np.maximum(one, other)
     lengths = right - left + 1
-    x = np.repeat(left - (np.cumsum(lengths) - lengths), lengths) + np.arange(lengths.sum())
-    y = np.repeat(y, lengths)
+    x = repeat(left - (np.cumsum(lengths) - lengths), lengths) + np.arange(lengths.sum())
+    y = repeat(y, lengths)
     sides = polygons.edges(outline) or [(*corners[0], *corners[0])]
     x1, y1, x2, y2 = np.array(sides, dtype=np.int64).T
     edge_x, edge_y, _, _ = trace((x1, y1, x2, y2))

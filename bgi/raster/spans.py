@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bgi.raster.arrays import repeat
 from bgi.raster.lines import Ints, Segments, grouped, toward_zero
 
 CHUNK = 1 << 14
@@ -138,9 +139,9 @@ def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans
     crossings = np.empty(2 * total)
     crossings[row] = x
     down, up = crossings[:total], crossings[total:]
-    y = np.arange(total) + np.repeat(first - begin, rows)
+    y = np.arange(total) + repeat(first - begin, rows)
     left, right = np.floor(np.minimum(down, up)), np.floor(np.maximum(down, up))
-    return Spans(y, left.astype(np.int64), right.astype(np.int64), np.repeat(owner, rows))
+    return Spans(y, left.astype(np.int64), right.astype(np.int64), repeat(owner, rows))
 
 
 def _crossed_often(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
@@ -151,7 +152,7 @@ def _crossed_often(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans
     ordered = np.sort((row << _X_BITS) + (x + _FAR))
     row, x = ordered >> _X_BITS, (ordered & ((1 << _X_BITS) - 1)) - _FAR
     starts = np.flatnonzero(np.diff(row, prepend=-1))
-    number = np.arange(len(row)) - np.repeat(starts, np.diff(starts, append=len(row)))
+    number = np.arange(len(row)) - repeat(starts, np.diff(starts, append=len(row)))
     left = np.flatnonzero((number[:-1] % 2 == 0) & (row[1:] == row[:-1]))
     row = row[left]
     which = np.searchsorted(begin, row, side="right") - 1
@@ -178,7 +179,7 @@ def _crossings(
     start = np.clip(walls.y, first, first + rows).astype(np.int64, copy=False)
     end = np.clip(walls.y + walls.dy, first, first + rows).astype(np.int64, copy=False)
     count = (end - start).ravel()
-    side = np.repeat(np.arange(len(count)), count)
+    side = repeat(np.arange(len(count)), count)
     row = (start.ravel() - (np.cumsum(count) - count)).take(side)
     row += np.arange(len(side))
     below = row - walls.y.ravel().take(side)

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from surfaces.arrays import Doubles, Ints
+from surfaces.arrays import Doubles, Ints, repeat
 
 Pixel = tuple[int, int]
 
@@ -44,7 +44,7 @@ def line_pixels(starts: Ints, ends: Ints, joined: bool = False) -> tuple[Ints, I
     dx, dy = (ends - starts).T
     n = np.maximum(np.abs(dx), np.abs(dy))
     count = n + (not joined)
-    line = np.repeat(np.arange(len(n)), count)
+    line = repeat(np.arange(len(n)), count)
     step = np.arange(len(line)) - (np.cumsum(count) - count).take(line)
     n = np.maximum(n, 1)
     # A half is rounded away from the upper end.

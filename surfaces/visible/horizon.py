@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from surfaces.arrays import Bools, Doubles, Ints, Ints32, Singles
+from surfaces.arrays import Bools, Doubles, Ints, Ints32, Singles, repeat
 from surfaces.shape.cells import every_nth
 from surfaces.systems import trace
 from surfaces.visible.sweep import Block, Sweep
@@ -94,9 +94,9 @@ def _gained(edge: Ints32) -> tuple[Ints, Ints, Runs]:
     line = np.flatnonzero(counts > 0)
     # In one column the rows follow one another, away from the nearest line.
     total = edge[:, 0] - edge[:, -1]
-    u = np.repeat(np.arange(len(total)), total)
+    u = repeat(np.arange(len(total)), total)
     ends = np.cumsum(total)
-    place = np.repeat(edge[:, 0] - 1 + ends - total, total) - np.arange(len(u))
+    place = repeat(edge[:, 0] - 1 + ends - total, total) - np.arange(len(u))
     return place, u, Runs(line, counts.ravel().take(line))
 
 
@@ -105,8 +105,8 @@ def _shade(v: Singles, value: Singles, runs: Runs, rows: Ints) -> Singles:
     flat_v, flat_value = v.ravel(), value.ravel()
     v1, value1 = flat_v.take(runs.line - 1), flat_value.take(runs.line - 1)
     slope = (flat_value.take(runs.line) - value1) / (flat_v.take(runs.line) - v1)
-    shade = np.repeat(slope, runs.pixels) * rows.astype(np.float32)
-    shade += np.repeat(value1 - slope * v1, runs.pixels)
+    shade = repeat(slope, runs.pixels) * rows.astype(np.float32)
+    shade += repeat(value1 - slope * v1, runs.pixels)
     return shade
 
 

@@ -8,7 +8,7 @@ a row needs is kept in arrays of its own, one number for each triangle: they are
 
 import numpy as np
 
-from surfaces.arrays import Bools, Doubles, Ints
+from surfaces.arrays import Bools, Doubles, Ints, repeat
 
 
 def reaching(x: Doubles, y: Doubles, width: int, height: int) -> Bools:
@@ -61,7 +61,7 @@ def _downwards(x: Doubles, y: Doubles) -> tuple[list[Doubles], list[Doubles]]:
 def _ranges(first: Doubles, last: Doubles) -> tuple[Doubles, Ints]:
     """The whole numbers of many ranges, one after the other, and which range each is from."""
     count = np.maximum(last - first + 1, 0).astype(np.int64)
-    owner = np.repeat(np.arange(len(count)), count)
+    owner = repeat(np.arange(len(count)), count)
     shift = first - (np.cumsum(count) - count)
     number: Doubles = shift.take(owner)
     number += np.arange(len(owner))

@@ -112,9 +112,9 @@ def test_real_holes_stay_and_nothing_warns(f: Any, hole: Any) -> None:
 
 def test_evaluate_keeps_the_callers_settings() -> None:
     with np.errstate(divide="raise"):
+        before = np.geterr()  # what raises cannot be tried: WebAssembly notices no such errors
         assert np.isinf(evaluate(lambda x, y: x / y, np.ones(3), np.zeros(3))).all()
-        with pytest.raises(FloatingPointError):
-            np.ones(1) / np.zeros(1)
+        assert np.geterr() == before
 
 
 # Refusals --------------------------------------------------------------------------------------
