@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from bgi.turboc.errors import CError, Place
+from bgi.turboc.faults import CError, Place
 from bgi.turboc.lexer import Token
 
 _LEVELS: list[dict[str, Callable[[int, int], int]]] = [

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bgi.turboc.errors import CError, Place
+from bgi.turboc.faults import CError, Place
 
 
 class Token(NamedTuple):
@@ -43,7 +43,7 @@ def tokens(text: str, file: str) -> Iterator[Token]:
     while position < len(text):
         found = _TOKEN.match(text, position)
         place = Place(file, line, position - start + 1)
-        if found is None:
+        if found is None or (text.startswith("/*", position) and found.lastgroup != "comment"):
             raise CError(place, _what_is_wrong(text, position))
         kind, word, position = found.lastgroup or "", found[0], found.end()
         if kind in ("newline", "splice", "comment", "white"):

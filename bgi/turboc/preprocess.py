@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from bgi.turboc.conditions import evaluate
-from bgi.turboc.errors import CError, Place
+from bgi.turboc.faults import CError, Place
 from bgi.turboc.lexer import Token, tokens
 
 MOST_TOKENS = 2_000_000
