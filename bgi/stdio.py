@@ -193,7 +193,7 @@ class _Typed:
         return line
 
 
-_TYPED = _Typed()
+TYPED = _Typed()
 
 
 def _typed_line() -> str:
@@ -216,7 +216,7 @@ def scanf(format: str | bytes) -> Any:
     The rest of the line waits for the next call: `fflush(stdin)` forgets it. Raises what getch()
     does, and KeyboardInterrupt at Ctrl-C. Source: stdio.h.
     """
-    return _scanf.scan(_TYPED, format).returned()
+    return _scanf.scan(TYPED, format).returned()
 
 
 def gets() -> str | None:
@@ -224,7 +224,7 @@ def gets() -> str | None:
 
     Source: stdio.h.
     """
-    line = _TYPED.line()
+    line = TYPED.line()
     return line.removesuffix("\n") if line else None
 
 
@@ -233,7 +233,7 @@ def getchar() -> int:
 
     It waits for Enter, as in C; getch() does not. Source: stdio.h.
     """
-    found = _TYPED.getc()
+    found = TYPED.getc()
     return encode(found)[0] if found else EOF
 
 
@@ -280,7 +280,7 @@ class _ScreenInput(io.TextIOBase):
         return True
 
     def readline(self, size: int | None = -1) -> str:  # type: ignore[override]
-        return _TYPED.line()
+        return TYPED.line()
 
     def read(self, size: int | None = -1) -> str:
         return "".join(iter(self.readline, ""))

@@ -69,7 +69,7 @@ def scan(source: Source, format_string: str | bytes) -> Scanned:
         source: gives one character at a time, and takes the last one back.
         format_string: as for sscanf().
     """
-    directives = _directives(c_string("the format", format_string))
+    directives = parts_of(c_string("the format", format_string))
     reader = Reader(source)
     values: list[Any] = []
     stored = 0
@@ -106,7 +106,7 @@ class _Directive:
         return _READERS[self.letter](self, reader)
 
 
-def _directives(format_string: str) -> list[_Directive]:
+def parts_of(format_string: str) -> list[_Directive]:
     """The parts of a format; ValueError if it has others."""
     found: list[_Directive] = []
     position = 0

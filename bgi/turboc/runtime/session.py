@@ -1,0 +1,112 @@
+"""A running C program: what it prints and reads, how long it may run, and how it ends."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from bgi import current
+from bgi.errors import BGIError, WindowClosed
+from bgi.turboc.runtime.livepc import LivePC
+from bgi.turboc.runtime.scripted import Scripted, script
+from bgi.turboc.runtime.trace import Trace
+
+SECONDS = 12
+"""Of a processor that a scripted program may take."""
+
+_FAULTS: dict[type[BaseException], str] = {
+    **{ZeroDivisionError: "divide", IndexError: "crash", RecursionError: "crash"},
+    **{TypeError: "crash", AttributeError: "crash"},
+}
+
+
+class ProgramEnd(BaseException):
+    """The program ends: by exit(), or since it has done enough."""
+
+    def __init__(self, reason: str, status: int = 0) -> None:
+        super().__init__(reason)
+        self.reason = reason
+        self.status = status
+
+
+def _stop(reason: str) -> None:
+    raise ProgramEnd(reason)
+
+
+class Session:
+    """One run of a program."""
+
+    def __init__(
+        self,
+        trace: Path | None = None,
+        script_name: str | None = None,
+        folder: Path = Path(),
+        files: bool = False,
+    ) -> None:
+        """
+        Args:
+            trace: the file that gets the trace, None for none.
+            script_name: A or B, None for the keyboard and the clock of the window.
+            folder: where its files are.
+            files: whether it may write them.
+        """
+        self.trace = Trace(_stop) if trace else None
+        self._trace_file = trace
+        self.pc: Scripted | LivePC = script(script_name) if script_name else LivePC()
+        self.scripted = script_name is not None
+        self.folder = folder
+        self.files = files
+        self.at_exit: list[Callable[[], Any]] = []
+
+    def print(self, data: bytes) -> None:
+        """Write on the screen."""
+        if self.trace:
+            self.trace.print(data)
+        if data:
+            (current.crt or current.console()).print(data)
+
+    def read(self, data: bytes) -> None:
+        """Note what was read of the typed text."""
+        if self.trace:
+            self.trace.read(data)
+
+    def run(self, main: Callable[[], Any]) -> int:
+        """Run the program; returns its exit status, and raises what a fault of C raises."""
+        reason, status = "exit", 0
+        self._limit()
+        try:
+            status = main() or 0
+        except ProgramEnd as end:
+            reason, status = end.reason, end.status
+        except WindowClosed:
+            pass
+        except BGIError as error:
+            reason = "nograph"
+            self.print(str(error).encode("cp437", "replace") + b"\n")
+        except tuple(_FAULTS) as error:
+            reason = next(why for kind, why in _FAULTS.items() if isinstance(error, kind))
+            raise
+        finally:
+            self._end(reason)
+        return status if isinstance(status, int) else 0
+
+    def _end(self, reason: str) -> None:
+        try:
+            while reason == "exit" and self.at_exit:
+                self.at_exit.pop()()
+        except ProgramEnd as end:
+            reason = end.reason
+        finally:
+            if self.scripted and hasattr(signal, "setitimer"):
+                signal.setitimer(signal.ITIMER_PROF, 0)
+            if self.trace and self._trace_file:
+                text = self.trace.end(reason)
+                self._trace_file.write_text(text, encoding="ascii", newline="\n")
+
+    def _limit(self) -> None:
+        """A script has an end: so has the program that follows it."""
+        if self.scripted and hasattr(signal, "setitimer"):
+            signal.signal(signal.SIGPROF, lambda number, frame: _stop("cpu"))
+            signal.setitimer(signal.ITIMER_PROF, SECONDS)
