@@ -85,7 +85,9 @@ def test_streams_write_and_read(tmp_path: Path) -> None:
     def main(c: C) -> None:
         c.cin.shift_right_int_reference(number)
         c.cout.shift_left_manipulator(c.setw(5)).shift_left_int(number.memory[0])
-        c.cout.shift_left_manipulator(c.hex).shift_left_int(-1).shift_left_manipulator(c.endl)
+        c.cout.shift_left_manipulator(c.hex).shift_left_int(-1).shift_left_manipulator(
+            c.endl.copy()
+        )
         c.cout.shift_left_double(1 / 3)
 
     assert traced(tmp_path, main) == ['read "100"', 'print "  100ffff\\n0.333333"', "end exit"]

@@ -6,7 +6,7 @@ from typing import Any
 
 from bgi.clib.reading import Reader, read_real, read_whole
 from bgi.turboc.runtime.binding import characters
-from bgi.turboc.runtime.memory import Pointer, write_text
+from bgi.turboc.runtime.memory import Pointer, Record, write_text
 from bgi.turboc.runtime.stdiolib import StdioLibrary, TypedRecord
 
 LEFT, RIGHT, DEC, OCT, HEX, BASE_SHOWN, POINT, UPPER, PLUS = 2, 4, 16, 32, 64, 128, 256, 512, 1024
@@ -53,10 +53,11 @@ CONSTANTS = {
 }
 
 
-class manipulator:
+class manipulator(Record):
     """What is told to a stream: a kind and a value."""
 
     __slots__ = ("kind", "value")
+    MEMBERS = ("kind", "value")
 
     def __init__(self, kind: str = "", value: int = 0) -> None:
         self.kind = kind
