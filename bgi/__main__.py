@@ -39,6 +39,10 @@ VARIABLES = {
 """The options that are for the program's monitor."""
 
 
+ENDINGS = (".c", ".cpp", ".cc", ".cxx")
+"""Of the files that are C programs, in any case."""
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the process's exit status."""
     parser = _parser()
@@ -57,10 +61,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     if not given:
         _say_what_stands_behind(program, rest)
+    is_c = program.lower().endswith(ENDINGS)
     planned = [os.path.abspath(given[name]) for name in ("shot", "record") if name in given]
     try:
         with on_screen() if options.console else nullcontext():
-            status = _run(program, rest)
+            status = _run_c(program, rest, options) if is_c else _run(program, rest)
             current.end()
     finally:
         current.close_screen()
@@ -104,9 +109,39 @@ def _parser() -> argparse.ArgumentParser:
         "--console", action="store_true", help="print and input on the screen, as printf and scanf"
     )
     parser.add_argument("--record", metavar="FILE.gif", help="write all that is on the screen")
+    _add_c(parser)
     parser.add_argument("--info", action="store_true", help="say what this machine has, and end")
     parser.add_argument("--version", action="version", version=f"bgi {__version__}")
     return parser
+
+
+def _add_c(parser: argparse.ArgumentParser) -> None:
+    """The options for C programs."""
+    group = parser.add_argument_group("C programs", "for PROGRAM.C and PROGRAM.CPP, of Turbo C")
+    group.add_argument("--check", action="store_true", help="only say what is wrong with it")
+    group.add_argument("-I", action="append", default=[], metavar="DIR", help="where headers lie")
+    group.add_argument(
+        "-D", action="append", default=[], metavar="NAME=VALUE", help="define a macro"
+    )
+    group.add_argument("--trace", metavar="FILE", help="write a line for each call of the library")
+    group.add_argument("--script", metavar="A", help="keys and a clock that are always the same")
+    group.add_argument("--files", action="store_true", help="let it write files in its folder")
+
+
+def _run_c(program: str, arguments: list[str], options: argparse.Namespace) -> int:
+    """Run a C program; returns the exit status."""
+    from bgi.turboc.command import run_c  # late, as only C programs need it
+
+    return run_c(
+        program,
+        arguments,
+        check=options.check,
+        folders=options.I,
+        defined=options.D,
+        trace=options.trace,
+        script=options.script,
+        files=options.files,
+    )
 
 
 def _script(text: str) -> str:

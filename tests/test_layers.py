@@ -117,6 +117,25 @@ LAYERS = [
     "bgi.turboc.statements",
     "bgi.turboc.classes",
     "bgi.turboc.parser",
+    "bgi.turboc.types",
+    "bgi.turboc.typed",
+    "bgi.turboc.scopes",
+    "bgi.turboc.folding",
+    "bgi.turboc.conversions",
+    "bgi.turboc.headers",
+    "bgi.turboc.meaning",
+    "bgi.turboc.checkliterals",
+    "bgi.turboc.checkvalues",
+    "bgi.turboc.checkcalls",
+    "bgi.turboc.checkactions",
+    "bgi.turboc.checking",
+    "bgi.turboc.wrapping",
+    "bgi.turboc.loops",
+    "bgi.turboc.emitplaces",
+    "bgi.turboc.emitobjects",
+    "bgi.turboc.emitvalues",
+    "bgi.turboc.emitactions",
+    "bgi.turboc.emit",
     "bgi.turboc.runtime.memory",
     "bgi.turboc.runtime.trace",
     "bgi.turboc.runtime.scripted",
@@ -131,7 +150,10 @@ LAYERS = [
     "bgi.turboc.runtime.streams",
     "bgi.turboc.runtime.library",
     "bgi.turboc.runtime",
+    "bgi.turboc.running",
+    "bgi.turboc.command",
     "bgi.turboc",
+    "bgi.__main__",
     "surfaces.beside",
     "surfaces.arrays",
     "surfaces.ticks",
@@ -195,7 +217,8 @@ def modules():
 
 def floor(name):
     """The layer a module stands on."""
-    name = name.removesuffix(".__init__").removesuffix(".__main__")
+    name = name.removesuffix(".__init__")
+    name = name if name in LAYERS else name.removesuffix(".__main__")
     exact = [i for i, layer in enumerate(LAYERS) if layer == name]
     inside = [
         i for i, layer in enumerate(LAYERS) if f"{name}.".startswith(layer) and layer.endswith(".")

@@ -187,3 +187,9 @@ class Record:
         """Another of the same members."""
         made = type(self).__new__(type(self))
         return made.assign(self)
+
+    def filled(self, **members: Any) -> Any:
+        """The same with other members."""
+        for name, value in members.items():
+            setattr(self, name, value)
+        return self

@@ -1,0 +1,175 @@
+"""Running a C program: from its file to its last statement."""
+
+from __future__ import annotations
+
+import math
+import os
+import struct
+import sys
+from collections.abc import Sequence
+from types import TracebackType
+from typing import Any
+
+from bgi.errors import BGIError
+from bgi.turboc.checking import check
+from bgi.turboc.emit import Emitted, emit
+from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
+from bgi.turboc.headers import Headers
+from bgi.turboc.parser import parse
+from bgi.turboc.preprocess import preprocess
+from bgi.turboc.runtime import library, memory
+from bgi.turboc.runtime.memory import Pointer
+from bgi.turboc.runtime.session import Session
+from bgi.turboc.source import decode
+
+PROGRAM = "<C program>"
+"""What Python calls the file of the emitted program."""
+
+DEEPEST = 20_000
+"""Calls of functions within each other."""
+
+PREDEFINED = {"__TURBOC__": "0x401", "__MSDOS__": "1", "__LARGE__": "1"}
+
+
+def single(number: float) -> float:
+    """A number as a float of 32 bits holds it."""
+    try:
+        return float(_SINGLE.unpack(_SINGLE.pack(number))[0])
+    except OverflowError:
+        return math.copysign(math.inf, number)
+
+
+_SINGLE = struct.Struct("f")
+
+
+def remainder(left: int, right: int) -> int:
+    """C's remainder, which has the sign of the left side."""
+    if not right:
+        raise ZeroDivisionError
+    return int(math.fmod(left, right))
+
+
+def number(pointer: Any) -> int:
+    """A pointer as a number: only whether it is null counts."""
+    return 0 if pointer is None else pointer.at + 1
+
+
+def destroy(pointer: Any, array: bool) -> None:
+    """Call the destructors of what is deleted."""
+    if pointer is not None:
+        for one in pointer.memory if array else [pointer.memory[pointer.at]]:
+            one.destroy_()
+
+
+_HELPERS: dict[str, Any] = {
+    **{name: getattr(memory, name) for name in ("Pointer", "MemberPlace", "CharMember", "Record")},
+    **{name: getattr(memory, name) for name in ("typed", "put", "put_member", "index")},
+    **{"single": single, "remainder": remainder, "number": number, "destroy": destroy},
+    **{"int": int, "float": float, "range": range, "max": max, "bytearray": bytearray},
+    "Union": memory.Record,
+    "__builtins__": {
+        "__build_class__": __build_class__,
+        "super": super,
+        "staticmethod": staticmethod,
+    },
+}
+
+
+class Runnable:
+    """A program that has been understood."""
+
+    def __init__(self, path: str, defined: dict[str, str], folders: Sequence[str] = ()) -> None:
+        """Read a program; CErrors holds all that is wrong with it."""
+        self.file = os.path.basename(path)
+        self.sources: dict[str, list[str]] = {}
+        self.folders = [os.path.dirname(os.path.abspath(path)), *folders]
+        cplusplus = path.lower().endswith((".cpp", ".cc", ".cxx"))
+        with open(path, "rb") as file:
+            text = self._keep(self.file, decode(file.read()))
+        headers = Headers(library.FUNCTIONS, library.CONSTANTS, library.TYPES)
+        macros = {**PREDEFINED, **({"__cplusplus": "1"} if cplusplus else {}), **defined}
+        read = preprocess(text, self.file, library.HEADERS, self._load, macros)
+        if read.errors:
+            raise CErrors(read.errors)
+        tree = parse(read.tokens, headers.types, cplusplus, read.headers)
+        self.emitted: Emitted = emit(check(tree, headers, cplusplus), headers)
+
+    def _keep(self, name: str, text: str) -> str:
+        self.sources[name] = text.split("\n")
+        return text
+
+    def _load(self, name: str) -> str | None:
+        """The text of a file beside the program."""
+        for folder in self.folders:
+            wanted = os.path.basename(name.replace("\\", "/")).lower()
+            for one in os.listdir(folder) if os.path.isdir(folder) else ():
+                if one.lower() == wanted:
+                    with open(os.path.join(folder, one), "rb") as file:
+                        return self._keep(name, decode(file.read()))
+        return None
+
+    def line(self, place: Place) -> str:
+        """The source line of a place."""
+        lines = self.sources.get(place.file, [])
+        return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
+
+    def load(self, session: Session) -> dict[str, Any]:
+        """The program in Python: its names, with its global variables as they are at first."""
+        code = compile(self.emitted.text, PROGRAM, "exec", dont_inherit=True)
+        found = library.names(session)
+        names = {**_HELPERS, "__name__": "program"}
+        names |= {name: found[name] for name in self.emitted.used}
+        exec(code, names)
+        return names
+
+    def run(self, session: Session, arguments: Sequence[str] = ()) -> int:
+        """Run it; returns its exit status. CError for a fault of the program."""
+
+        def main() -> int:
+            names = self.load(session)
+            return int(names[self.emitted.main](*_given(self.file, arguments)) or 0) & 0xFF
+
+        before = sys.getrecursionlimit()
+        sys.setrecursionlimit(DEEPEST)
+        try:
+            return session.run(main)
+        except (BGIError, KeyboardInterrupt):
+            raise
+        except Exception as error:
+            raise self._fault(error) from error
+        finally:
+            sys.setrecursionlimit(before)
+
+    def _fault(self, error: Exception) -> CError:
+        """What a Python exception says of the C program, and where."""
+        place = NOWHERE
+        step: TracebackType | None = error.__traceback__
+        while step is not None:
+            if step.tb_frame.f_code.co_filename == PROGRAM:
+                place = self.emitted.places[step.tb_lineno - 1]
+            step = step.tb_next
+        return CError(place, _meaning(error))
+
+
+def _given(file: str, arguments: Sequence[str]) -> tuple[Any, ...]:
+    """What main() gets: how many words the command had, and these."""
+    words = [
+        Pointer(bytearray(f"{word}\0".encode("cp437", "replace"))) for word in (file, *arguments)
+    ]
+    return len(words), Pointer([*words, None]), Pointer([None])
+
+
+def _meaning(error: Exception) -> str:
+    """A fault in C's words."""
+    text = str(error)
+    if isinstance(error, ZeroDivisionError):
+        return "division by zero"
+    if isinstance(error, IndexError):
+        return "outside of an array"
+    if isinstance(error, RecursionError):
+        return "the stack overflowed: does a function call itself without end?"
+    if isinstance(error, (MemoryError, OverflowError)):
+        return f"too large: {text}"
+    if isinstance(error, (AttributeError, TypeError)) and "NoneType" in text:
+        return "a null pointer was used"
+    return f"{text} ({type(error).__name__})"

@@ -1,0 +1,183 @@
+"""C programs run: what their variables hold at the end is what C says."""
+
+import pytest
+
+from bgi.turboc.faults import CError, CErrors
+from bgi.turboc.running import Runnable
+from bgi.turboc.runtime.session import Session
+
+
+def program(tmp_path, text, ending=".C"):
+    """A program, understood."""
+    path = tmp_path / f"T{ending}"
+    path.write_text(text)
+    return Runnable(str(path), {})
+
+
+@pytest.fixture
+def result(tmp_path):
+    """What `r` holds after statements; what stands before them may come along."""
+
+    def run(body, before="", kind="long", ending=".C"):
+        made = program(tmp_path, f"{kind} r; {before}\nvoid main() {{ {body} }}", ending)
+        names = made.load(Session())
+        names["main"]()
+        return names["r"]
+
+    return run
+
+
+@pytest.mark.parametrize(
+    "value, expected",
+    [
+        ("32767 + i", -32768),
+        ("i * 30000 * 3", 24464),
+        ("-7 / 2", -3),
+        ("(i - 8) / 2", -3),
+        ("(i - 8) % 2", -1),
+        ("i << 15", -32768),
+        ("-i >> 1", -1),
+        ("u - 2", 65535),
+        ("u - 2 > 0", 1),
+        ("-1 < u", 0),
+        ("l * 70000", 605032704),
+        ("(char) 200", -56),
+        ("(unsigned char) -1", 255),
+        ("(int) 3.99", 3),
+        ("(int) -3.99", -3),
+        ("(int) 70000.0", 4464),
+        ("i ? 2 : 3", 2),
+        ("!i + !!i", 1),
+        ("(i, 5)", 5),
+        ("sizeof(int) * 100 + sizeof(long) * 10 + sizeof(double)", 248),
+        ("sizeof(a)", 12),
+        ("0xFFFF", 65535),
+        ("~0", -1),
+        ("'A' + 1", 66),
+        ("5 / 2.0 * 2", 5),
+    ],
+)
+def test_arithmetic_has_as_many_bits_as_in_c(result, value, expected):
+    declared = "int i = 1, a[2][3]; unsigned u = 1; long l = 70000;"
+    assert result(f"r = {value};", declared) == expected
+
+
+def test_loops_leave_their_variable_behind(result):
+    assert result("int i, s = 0; for (i = 0; i < 10; i++) s += i; r = s * 100 + i;") == 4510
+    assert result("int i; for (i = 0; i < 10; i++) if (i == 4) break; r = i;") == 4
+    assert result("int i; for (i = 20; i < 10; i++); r = i;") == 20
+    assert (
+        result("int i, s = 0; for (i = 9; i; i -= 3) { if (i == 6) continue; s += i; } r = s;")
+        == 12
+    )
+    assert result("int i = 0; do { if (i == 3) continue; r += i; } while (++i < 5);") == 7
+
+
+def test_switch_falls_through_and_continues_the_loop_around(result):
+    body = """
+        int i;
+        for (i = 0; i < 5; i++) {
+            switch (i) {
+                case 0: r += 1;
+                case 1: r += 10; break;
+                case 3: continue;
+                default: r += 100;
+            }
+            r += 1000;
+        }
+    """
+    assert result(body) == 4 * 1000 + 1 + 10 + 10 + 100 + 100
+
+
+def test_pointers_walk_through_arrays_and_strings(result):
+    assert result('char *p = "abc"; while (*p) r = r * 2 + *p++ - 96;') == 11
+    assert result("int a[4], *p = a, i; for (i = 0; i < 4; i++) *p++ = i; r = p - a + a[3];") == 7
+    assert result("int a[2][3], (*p)[3] = a; p++; (*p)[1] = 7; r = a[1][1];") == 7
+    assert result("int x = 1, *p = &x, **q = &p; **q += 4; r = x;") == 5
+    swap = "void swap(int *a, int *b) { int t = *a; *a = *b; *b = t; }"
+    assert result("int a = 1, b = 2; swap(&a, &b); r = a * 10 + b;", swap) == 21
+
+
+def test_structs_are_values(result):
+    point = "struct point { int x, y; char name[4]; };"
+    body = 'struct point p = {1, 2, "ab"}, q; q = p; q.x = 5; q.name[0]++; r = '
+    assert result(body + "p.x * 100 + q.x * 10 + q.y;", point) == 152
+    assert result(body + "q.name[0] - p.name[0];", point) == 1
+    move = point + "struct point moved(struct point p) { p.x++; return p; }"
+    assert result("struct point p = {1}; r = moved(p).x * 10 + p.x;", move) == 21
+    chain = "struct node { int v; struct node *next; };"
+    body = """
+        struct node a, b, *p; a.v = 1; a.next = &b; b.v = 2; b.next = 0;
+        for (p = &a; p; p = p->next) r = r * 10 + p->v;
+    """
+    assert result(body, chain) == 12
+
+
+def test_functions_are_pointed_to_and_keep_static_variables(result):
+    twice = "int twice(int x) { return 2 * x; } int (*f)(int) = twice;"
+    assert result("r = f(4) + (*f)(1);", twice) == 10
+    assert (
+        result("int i; for (i = 0; i < 3; i++) r = n();", "int n() { static int c; return ++c; }")
+        == 3
+    )
+
+
+def test_arguments_with_effects_are_computed_from_right_to_left(result):
+    before = "int n; int next() { return ++n; } int sub(int a, int b) { return a * 10 + b; }"
+    assert result("r = sub(next(), next());", before) == 21
+
+
+def test_memory_of_malloc_is_what_its_pointer_says(result):
+    body = "int *p = (int *) malloc(10 * sizeof(int)); p[9] = 3; r = p[9]; free(p);"
+    assert result(body) == 3
+
+
+def test_classes_have_constructors_virtual_methods_and_operators(result):
+    before = """
+        class Shape {
+        protected: int n;
+        public: Shape(int a = 4) { n = a; } virtual int area() { return n; }
+        };
+        class Square : public Shape {
+        public: Square(int a) : Shape(a) {} int area() { return n * n; }
+        };
+        struct V { int x; V(int a) : x(a) {} V operator+(const V &o) { return V(x + o.x); } };
+        void set(int &x) { x = 7; }
+        int f(int) { return 1; } int f(double) { return 2; }
+    """
+    body = "Shape *s = new Square(5); Shape t; int x; set(x); V v = V(1) + V(2);"
+    assert result(f"{body} r = s->area() * 100 + t.area() * 10 + x;", before, ending=".CPP") == 2547
+    assert result(f"{body} r = v.x * 100 + f(1) * 10 + f(1.5);", before, ending=".CPP") == 312
+
+
+@pytest.mark.parametrize(
+    "body, line, message",
+    [
+        ("int *p = 0;\n*p = 1;", 2, "a null pointer was used"),
+        ("int a[3], i = 3;\n\na[i] = 1;", 3, "outside of an array"),
+        ("int a[3], i = -1;\na[i] = 1;", 2, "outside of an array"),
+        ("int i = 0;\nr = 1 / i;", 2, "division by zero"),
+    ],
+)
+def test_a_fault_names_its_line(tmp_path, body, line, message):
+    made = program(tmp_path, f"int r; void main() {{ {body} }}")
+    with pytest.raises(CError) as found:
+        made.run(Session())
+    assert (found.value.place.line, found.value.message) == (line, message)
+
+
+def test_endless_recursion_is_a_fault(tmp_path):
+    with pytest.raises(CError, match="the stack overflowed"):
+        program(tmp_path, "int f(int n) { return f(n + 1); } void main() { f(0); }").run(Session())
+
+
+def test_all_errors_are_told_at_once(tmp_path):
+    text = 'void main() {\n  x = 1;\n  outtextx(1, 2, "a");\n  circle(1, 2);\n  5 = 6;\n}'
+    with pytest.raises(CErrors) as found:
+        program(tmp_path, text)
+    assert [f"{one.place.line}: {one.message}" for one in found.value.errors] == [
+        "2: there is no x",
+        "3: there is no outtextx: did you mean outtextxy?",
+        "4: circle takes 3 arguments, not 2",
+        "5: what stands on the left is no variable",
+    ]
