@@ -131,6 +131,7 @@ LAYERS = [
     "bgi.turboc.checking",
     "bgi.turboc.wrapping",
     "bgi.turboc.loops",
+    "bgi.turboc.gotos",
     "bgi.turboc.emitplaces",
     "bgi.turboc.emitobjects",
     "bgi.turboc.emitvalues",

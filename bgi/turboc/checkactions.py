@@ -53,7 +53,9 @@ class Actions(Calls):
     """Of the function that is looked at."""
     variables: list[Symbol]
     """Its variables."""
-    jumps: bool
+    jumps: list[tuple[str, Place]]
+    """Where a goto leads."""
+    labels: set[str]
     statics: list[Define]
     """Variables that are declared in functions and outlive them."""
 
@@ -137,10 +139,11 @@ class Actions(Calls):
         return Give(node.place, self.given(value, self.result))
 
     def _goto(self, node: tree.Goto) -> Act:
-        self.jumps = True
+        self.jumps.append((node.label, node.place))
         return Jump(node.place, node.label)
 
     def _label(self, node: tree.Label) -> Act:
+        self.labels.add(node.name)
         return Mark(node.place, node.name)
 
     def _asm(self, node: tree.Asm) -> Act:

@@ -19,6 +19,7 @@ from bgi.turboc.typed import (
 )
 from bgi.turboc.types import (
     DOUBLE,
+    INT,
     ArrayType,
     FunctionType,
     IntType,
@@ -103,7 +104,7 @@ class Calls(Values):
                 return self.method(Itself(place, cls), name.name, given, place, name.scope)
         found = self.find(name.name, name.scope, name.place)
         if not found:
-            raise self.unknown(f"{name.name}", name.place)
+            raise self.unknown(name.name, name.place, FunctionType(INT, (), open=True))
         if not isinstance(found[0].type, FunctionType):
             return self._through(self.named(found[0], place), given, place)
         return self.function(found, given, name.place)

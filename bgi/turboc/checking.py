@@ -44,7 +44,7 @@ class Checker(Actions):
         """Functions whose bodies are still to be looked at."""
         self.result: Type = VOID
         self.variables: list[Symbol] = []
-        self.jumps = False
+        self.jumps, self.labels = [], set()
 
     def program(self, program: tree.Program) -> TypedProgram:
         """The typed tree; CErrors if something is wrong."""
@@ -177,7 +177,7 @@ class Checker(Actions):
         part = node.type.parts[0]
         assert isinstance(type_, FunctionType) and isinstance(part, nodes.FunctionPart)
         self.cls, self.result = cls, type_.result
-        self.variables, self.jumps = [], False
+        self.variables, self.jumps, self.labels = [], [], set()
         self.scope = Scope(self.top)
         parameters = []
         for written, one in zip(part.parameters, type_.parameters, strict=True):
@@ -187,7 +187,11 @@ class Checker(Actions):
         before = self._construction(node, cls) if cls and node.name == cls.tag else []
         body = self.block(node.body)
         self.scope, self.cls = self.top, None
-        made = Routine(symbol, parameters, body, self.variables, before, self.jumps)
+        for label, place in self.jumps:
+            if label not in self.labels:
+                self.errors.append(CError(place, f"there is no label {label} in this function"))
+        jumps = bool(self.jumps)
+        made = Routine(symbol, parameters, body, self.variables, before, jumps)
         self.routines.append(made)
 
     # Classes

@@ -329,6 +329,12 @@ class Values(Meaning):
         return converted(value, type_, forced=True)
 
     def _construct(self, node: nodes.Construct) -> Value:
+        base = node.type.base
+        if isinstance(base, nodes.Named) and not node.type.parts:
+            function = self.headers.symbol(base.name)
+            if function is not None and self.scope.find_type(base.name) is None:  # as time()
+                name = nodes.Name(node.place, base.name)
+                return self._call(nodes.Call(node.place, name, node.arguments))
         type_ = self.type(node.type)
         given = [self.value(one) for one in node.arguments]
         if isinstance(type_, StructType):

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from bgi.turboc.emitactions import ActionWriter
 from bgi.turboc.emitplaces import is_cell
 from bgi.turboc.faults import NOWHERE, Place
+from bgi.turboc.gotos import taken_apart
 from bgi.turboc.headers import Headers
 from bgi.turboc.scopes import Namer
 from bgi.turboc.typed import Define, Routine, TypedProgram
@@ -121,6 +122,9 @@ class _Emitter(ActionWriter):
         type_ = symbol.type
         assert isinstance(type_, FunctionType)
         self.place, self.temporaries, self.assigned = symbol.place, 0, set()
+        machine = taken_apart(routine.body) if routine.jumps else None
+        if machine is not None:
+            routine.variables += machine.variables
         used: set[str] = set()
         for one in routine.parameters + routine.variables:
             one.python = Namer(self.namer.taken | used).name(one.name)
@@ -137,7 +141,10 @@ class _Emitter(ActionWriter):
             self._variables(routine)
             for act in routine.before:
                 self.act(act)
-            self.act(routine.body)
+            if machine is not None:
+                self.machine(machine)
+            else:
+                self.act(routine.body)
             constructor = symbol.owner is not None and symbol.name == symbol.owner.tag
             if constructor:
                 self.line("return self")

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from bgi.turboc.emitvalues import ValueWriter
 from bgi.turboc.faults import NOWHERE, Place
+from bgi.turboc.gotos import Machine
 from bgi.turboc.headers import Headers
 from bgi.turboc.loops import Counted, counted
 from bgi.turboc.scopes import Namer
@@ -54,6 +55,10 @@ class ActionWriter(ValueWriter):
         self.indent = 0
         self.place = NOWHERE
         self.around: list[Inside] = []
+        self.labels: dict[str, int] = {}
+        """Which part of the function each label begins."""
+        self.state = ""
+        """The name that holds which part is next."""
         self.ending: list[tuple[Symbol, ...]] = []
         """Objects to destroy, by block."""
 
@@ -234,11 +239,28 @@ class ActionWriter(ValueWriter):
             with self.block(f"if {again}:"):
                 self._again(Again(act.place))
 
+    # Goto
+
+    def machine(self, machine: Machine) -> None:
+        """Parts in order, from the one that a goto leads to."""
+        self.labels = machine.labels
+        self.state = self.temporary()
+        self.line(f"{self.state} = 0")
+        self.around.append(Inside())
+        with self.block("while True:"):
+            for place, acts in enumerate(machine.parts):
+                with self.block(f"if {self.state} <= {place}:"):
+                    for one in acts:
+                        self.act(one)
+            self.line("break")
+        self.around.pop()
+
     def _jump(self, act: Jump) -> None:
-        self.line(f"raise NotImplementedError({act.label!r})")
+        self.line(f"{self.state} = {self.labels[act.label]}")
+        self.line("continue")
 
     def _mark(self, act: Mark) -> None:
-        pass
+        """A label that nothing jumps to."""
 
 
 def _continues(act: Act) -> bool:

@@ -137,14 +137,14 @@ class Meaning:
             found = [symbol]
         return found
 
-    def unknown(self, name: str, place: Place) -> CError:
+    def unknown(self, name: str, place: Place, type_: Type = INT) -> CError:
         """An error for a name that nothing is known of; it is told once."""
         names = set(self.headers.names())
         scope: Scope | None = self.scope
         while scope is not None:
             names |= set(scope.names)
             scope = scope.outer
-        self.top.names[name] = [Symbol(name, INT, place, "global", name)]
+        self.top.names[name] = [Symbol(name, type_, place, "global", name)]
         return CError(place, f"there is no {name}{self._guess(name, names)}")
 
     def _guess(self, name: str, names: set[str] | list[str]) -> str:

@@ -89,6 +89,25 @@ def test_switch_falls_through_and_continues_the_loop_around(result):
     assert result(body) == 4 * 1000 + 1 + 10 + 10 + 100 + 100
 
 
+@pytest.mark.parametrize(
+    "body, expected",
+    [
+        ("again: r++; if (r < 5) goto again;", 5),
+        ("goto over; r = 1; over: r += 10;", 10),
+        ("int i, j; for (i = 0; i < 9; i++) for (j = 0; j < 9; j++) if (i * j == 12) goto out;"
+         " out: r = i * 10 + j;", 26),
+        ("int i; for (i = 0; i < 5; i++) { if (i == 1) continue; if (i == 4) break;"
+         " if (i == 9) goto end; r = r * 10 + i; } end: r = r * 10 + 7;", 237),
+        ("int i = 0; top: switch (i++) { case 0: r += 1; goto top; case 1: r += 10;"
+         " case 2: r += 100; break; default: r = 0; } if (i < 3) goto top;", 211),
+        ("int i = 3; if (i) { back: r = r * 10 + i; } else r = 9; if (--i) goto back;", 321),
+        ("int i = 0; do { if (i == 2) goto end; i++; } while (i < 9); end: r = i;", 2),
+    ],
+)  # fmt: skip
+def test_goto_leads_to_any_label_of_the_function(result, body, expected):
+    assert result(body) == expected
+
+
 def test_pointers_walk_through_arrays_and_strings(result):
     assert result('char *p = "abc"; while (*p) r = r * 2 + *p++ - 96;') == 11
     assert result("int a[4], *p = a, i; for (i = 0; i < 4; i++) *p++ = i; r = p - a + a[3];") == 7
