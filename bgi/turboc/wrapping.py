@@ -20,7 +20,7 @@ from bgi.turboc.typed import (
     Value,
     Variable,
 )
-from bgi.turboc.types import IntType, Symbol
+from bgi.turboc.types import FloatType, IntType, Symbol
 
 Interval = tuple[int, int]
 
@@ -52,6 +52,8 @@ def interval(value: Value, known: dict[Symbol, Interval]) -> Interval:
         case Choice(yes=yes, no=no):
             one, other = cut(yes, known), cut(no, known)
             return min(one[0], other[0]), max(one[1], other[1])
+        case Converted(operand=operand) if isinstance(operand.type, FloatType):
+            return -WIDEST, WIDEST
         case Converted(operand=operand) if isinstance(operand.type, IntType):
             inner = cut(operand, known)
             return inner if fits(inner, type_) else whole
