@@ -31,6 +31,7 @@ def _no_package(name: str) -> bool:
 REASONS = {
     "needs Xvfb": _no_program("Xvfb"),
     "needs xdotool": _no_program("xdotool"),
+    "needs gcc": _no_program("gcc"),
     "needs import": _no_program("import"),  # ImageMagick's
     "needs setxkbmap": _no_program("setxkbmap"),
     "needs pygame": not sdl.FOUND,

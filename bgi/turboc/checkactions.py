@@ -74,7 +74,7 @@ class Actions(Calls):
         self.scope = Scope(self.scope)
         items = [self.act(item) for item in node.items]
         symbols = [one for found in self.scope.names.values() for one in found]
-        ending = tuple(one for one in symbols if _ends(one))
+        ending = tuple(one for one in symbols if ends(one))
         assert self.scope.outer is not None
         self.scope = self.scope.outer
         return Group(node.place, items, ending)
@@ -213,7 +213,7 @@ class Actions(Calls):
             raise CError(node.place, f"nothing says how long {node.name} is")
         if isinstance(inner, StructType) and not inner.complete:
             raise CError(node.place, f"nothing is known of {described(inner)}")
-        if isinstance(inner, StructType) and _is_made(inner):
+        if isinstance(inner, StructType) and is_made(inner):
             return self.created(inner, type_, [], node.place, None)
         return None
 
@@ -241,8 +241,9 @@ class Actions(Calls):
         """As many of the values as an array or a struct takes."""
         items: list[Value | None] = []
         if isinstance(type_, StructType):
-            for member in type_.all_members().values():
-                items.append(self._item(rest, member) if rest else None)
+            for number, member in enumerate(type_.all_members().values()):
+                given = rest and not (type_.kind == "union" and number)
+                items.append(self._item(rest, member) if given else None)
             return Listed(place, type_, tuple(items))
         assert isinstance(type_, ArrayType)
         while rest and (not type_.count or len(items) < type_.count):
@@ -284,18 +285,18 @@ class Actions(Calls):
             following = number + 1
 
 
-def _ends(symbol: Symbol) -> bool:
+def ends(symbol: Symbol) -> bool:
     """Whether it is an object with a destructor."""
-    type_ = symbol.type
-    local = symbol.kind == "local"
+    type_ = innermost(symbol.type)
+    local = symbol.kind in ("local", "parameter")
     return local and isinstance(type_, StructType) and bool(type_.method(f"~{type_.tag}"))
 
 
-def _is_made(cls: StructType) -> bool:
+def is_made(cls: StructType) -> bool:
     """Whether objects of a class are made by a constructor."""
     members = [innermost(one) for one in cls.all_members().values()]
     return bool(cls.methods.get(cls.tag)) or any(
-        isinstance(one, StructType) and _is_made(one) for one in [*members, cls.base] if one
+        isinstance(one, StructType) and is_made(one) for one in [*members, cls.base] if one
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bgi.turboc import nodes
 from bgi.turboc.checkvalues import Values
-from bgi.turboc.conversions import converted, decayed, passed
+from bgi.turboc.conversions import converted, decayed, is_place, passed
 from bgi.turboc.faults import CError, Place
 from bgi.turboc.typed import (
     Constant,
@@ -107,6 +107,10 @@ class Calls(Values):
             raise self.unknown(name.name, name.place, FunctionType(INT, (), open=True))
         if not isinstance(found[0].type, FunctionType):
             return self._through(self.named(found[0], place), given, place)
+        if found[0].kind == "function" and not any(_takes(one, len(given)) for one in found):
+            library = self.headers.symbol(name.name)  # which a function of that name overloads
+            if library is not None and _takes(library, len(given)):
+                found = [library]
         return self.function(found, given, name.place)
 
     def function(self, found: list[Symbol], given: list[Value], place: Place) -> Value:
@@ -175,7 +179,16 @@ class Calls(Values):
         ):
             made = self.created(to, to, [value], value.place, None)
             return converted(made, type_)
+        if isinstance(type_, StructType) and is_place(value) and self._copies(type_):
+            return self.created(type_, type_, [value], value.place, None)
         return converted(value, type_)
+
+    def _copies(self, cls: StructType) -> bool:
+        """Whether a class has a constructor that copies."""
+        return any(
+            isinstance(one.type, FunctionType) and one.type.parameters == (ReferenceType(cls),)
+            for one in cls.methods.get(cls.tag, [])
+        )
 
     # Methods
 
@@ -218,7 +231,7 @@ class Calls(Values):
 
     def _assigned(self, left: Value, right: Value, place: Place) -> Value:
         """An object that takes over another's members."""
-        return Store(place, left.type, left, self.given(right, left.type))
+        return Store(place, left.type, left, converted(right, left.type))
 
     def _fits(self, symbol: Symbol, given: list[Value]) -> bool:
         type_ = symbol.type

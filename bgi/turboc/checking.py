@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bgi.turboc import nodes, tree
-from bgi.turboc.checkactions import Actions
+from bgi.turboc.checkactions import Actions, ends, is_made
 from bgi.turboc.conversions import converted
 from bgi.turboc.faults import NOWHERE, CError, CErrors
 from bgi.turboc.headers import Headers
@@ -22,6 +22,8 @@ from bgi.turboc.typed import (
     Value,
 )
 from bgi.turboc.types import (
+    CHAR,
+    UCHAR,
     VOID,
     ArrayType,
     FunctionType,
@@ -30,6 +32,7 @@ from bgi.turboc.types import (
     Symbol,
     Type,
     innermost,
+    is_number,
 )
 
 
@@ -98,12 +101,15 @@ class Checker(Actions):
         if isinstance(type_, FunctionType):
             self.prototype(node, type_)
             return
-        owner, _, name = node.name.rpartition("::")
+        if "::" in node.name:
+            self._static_member(node)
+            return
+        name = node.name
         before = self.top.names.get(name, [])
         if node.storage == "extern" and before:
             return
         made = Symbol(name, type_, node.place, "global")
-        if before and before[0].kind == "global" and not owner:
+        if before and before[0].kind == "global":
             made = before[0]  # declared again
             if isinstance(made.type, ArrayType) and not made.type.count:
                 made.type = type_
@@ -116,6 +122,17 @@ class Checker(Actions):
             self.statics = [one for one in self.statics if one.symbol is not made or value is None]
             if all(one.symbol is not made for one in self.statics):
                 self.statics.append(Define(node.place, made, value))
+
+    def _static_member(self, node: tree.Declarator) -> None:
+        """`int Class::name = 0;`: the value of a static member."""
+        owner, _, name = node.name.rpartition("::")
+        cls = self.named_type(owner, node.place)
+        symbol = cls.static(name) if isinstance(cls, StructType) else None
+        if symbol is None:
+            raise CError(node.place, f"{owner} has no static member {name}")
+        for defined in self.statics:
+            if defined.symbol is symbol:
+                defined.value = self.initial(node, symbol)
 
     # Functions
 
@@ -185,13 +202,15 @@ class Checker(Actions):
             parameters.append(parameter)
             self.declare(parameter)
         before = self._construction(node, cls) if cls and node.name == cls.tag else []
+        after = self._destruction(node, cls) if cls and node.name[0] == "~" else []
         body = self.block(node.body)
+        body.ending += tuple(one for one in parameters if ends(one))
         self.scope, self.cls = self.top, None
         for label, place in self.jumps:
             if label not in self.labels:
                 self.errors.append(CError(place, f"there is no label {label} in this function"))
         jumps = bool(self.jumps)
-        made = Routine(symbol, parameters, body, self.variables, before, jumps)
+        made = Routine(symbol, parameters, body, self.variables, before, after, jumps)
         self.routines.append(made)
 
     # Classes
@@ -213,7 +232,20 @@ class Checker(Actions):
         outer, self.cls = self.cls, cls
         for member in node.members:
             self._member_of(cls, member, node)
+        if not cls.methods.get(cls.tag) and is_made(cls):
+            self._function(_implicit(node, node.tag))
+        if not cls.method(f"~{cls.tag}") and self._destruction(node, cls):
+            self._function(_implicit(node, f"~{node.tag}"))
+        if cls.kind == "union":
+            self._check_union(cls, node)
         self.cls = outer
+
+    def _check_union(self, cls: StructType, node: tree.StructDef) -> None:
+        """The members of a union share their bytes, so they have to consist of bytes."""
+        for name, type_ in cls.members.items():
+            if not is_number(type_) and innermost(type_) not in (CHAR, UCHAR):
+                what = "only numbers and characters can share memory in a union"
+                raise CError(node.place, f"{name}: {what}")
 
     def _member_of(self, cls: StructType, member: tree.Member_, node: tree.StructDef) -> None:
         match member:
@@ -267,7 +299,7 @@ class Checker(Actions):
         self._take_defaults(made, node.type.parts)
         same = cls.methods.setdefault(node.name, [])
         same.append(made)
-        made.python = made.python or _python_name(made, len(same))
+        made.python = made.python or python_name(made, len(same))
         return made
 
     def _construction(self, node: tree.FunctionDef, cls: StructType) -> list[Act]:
@@ -286,6 +318,23 @@ class Checker(Actions):
             if value is not None:
                 field = Field(node.place, type_, itself, name)
                 done.append(Compute(node.place, Store(node.place, type_, field, value)))
+        return done
+
+    def _destruction(self, node: tree.FunctionDef | tree.StructDef, cls: StructType) -> list[Act]:
+        """What a destructor does behind its body: its members and its base are destroyed."""
+        place, itself = node.place, Itself(node.place, cls)
+        objects: list[Value] = [
+            Field(place, type_, itself, name)
+            for name, type_ in reversed(cls.members.items())
+            if isinstance(type_, StructType)
+        ]
+        if cls.base is not None:
+            objects.append(Itself(place, cls.base))
+        done: list[Act] = []
+        for one in objects:
+            assert isinstance(one.type, StructType)
+            for method in one.type.method(f"~{one.type.tag}"):
+                done.append(Compute(place, MethodCall(place, VOID, one, method, (), True)))
         return done
 
     def _member_value(
@@ -308,6 +357,13 @@ class Checker(Actions):
         return None
 
 
+def _implicit(node: tree.StructDef, name: str) -> tree.FunctionDef:
+    """The constructor or destructor of a class whose members or base have one."""
+    type_ = nodes.TypeName(node.place, nodes.Words(("void",)), (nodes.FunctionPart(()),))
+    body = tree.Block(node.place, ())
+    return tree.FunctionDef(node.place, name, type_, body, cls=node.tag)
+
+
 _OPERATORS = {
     **{"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "%": "remainder"},
     **{"==": "equal", "!=": "differs", "<": "less", ">": "greater", "<=": "less_equal"},
@@ -317,8 +373,8 @@ _OPERATORS = {
 }
 
 
-def _python_name(symbol: Symbol, number: int) -> str:
-    """What a method is called in Python; several of one name are numbered."""
+def python_name(symbol: Symbol, number: int = 1) -> str:
+    """What a function is called in Python; several methods of one name are numbered."""
     name = symbol.name
     if symbol.owner is not None and name == symbol.owner.tag:
         name = "construct_"

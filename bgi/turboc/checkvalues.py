@@ -190,6 +190,8 @@ class Values(Meaning):
             return base
         if isinstance(base, Address) and isinstance(base.operand.type, ArrayType):
             base = base.operand  # the array itself
+        elif isinstance(base, Address) and isinstance(index, Constant) and not index.value:
+            return base.operand
         to = base.type.of if isinstance(base.type, ArrayType) else base.type.to  # type: ignore[union-attr]
         if isinstance(to, StructType) and not to.complete and not to.library:
             raise CError(place, f"nothing is known of {described(to)}")

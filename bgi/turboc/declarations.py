@@ -311,9 +311,8 @@ class Declarations(Expressions):
             initial = self.initializer()
         elif self.cplusplus and self.accept("("):
             arguments = self._arguments()
-        return Declarator(
-            found.place, found.name, type_, initial, arguments, said.storage, said.const
-        )
+        name = f"{found.scope}::{found.name}" if found.scope else found.name
+        return Declarator(found.place, name, type_, initial, arguments, said.storage, said.const)
 
 
 def _check_words(words: tuple[str, ...], place: Place) -> None:

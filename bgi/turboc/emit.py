@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from bgi.turboc.checking import python_name
 from bgi.turboc.emitactions import ActionWriter
 from bgi.turboc.emitplaces import is_cell
 from bgi.turboc.faults import NOWHERE, Place
@@ -12,12 +13,16 @@ from bgi.turboc.headers import Headers
 from bgi.turboc.scopes import Namer
 from bgi.turboc.typed import Define, Routine, TypedProgram
 from bgi.turboc.types import (
+    FLOAT,
     VOID,
     ArrayType,
+    FloatType,
     FunctionType,
+    IntType,
     ReferenceType,
     StructType,
     Symbol,
+    Type,
     innermost,
     size,
 )
@@ -41,6 +46,7 @@ HELPERS = [
     "max",
     "bytearray",
     "Union",
+    "shared",
     "self",
 ]
 """Names of Python that the emitted program uses."""
@@ -67,7 +73,7 @@ class _Emitter(ActionWriter):
             defined.symbol.python = self.namer.name(defined.symbol.name)
         for routine in program.routines:
             if routine.symbol.owner is None:
-                routine.symbol.python = self.namer.name(routine.symbol.name)
+                routine.symbol.python = self.namer.name(python_name(routine.symbol))
         methods: dict[StructType, list[Routine]] = {}
         for routine in program.routines:
             if routine.symbol.owner is not None:
@@ -103,16 +109,29 @@ class _Emitter(ActionWriter):
         own = [self.attribute(name) for name in cls.members]
         every = [self.attribute(name) for name in cls.all_members()]
         with self.block(f"class {cls.python}({base}):"):
-            self.line(f"__slots__ = {tuple(own)!r}")
-            self.line(f"MEMBERS = {tuple(every)!r}")
             self.line(f"SIZE = {size(cls)}")
-            with self.block("def __init__(self):"):
-                if cls.base is not None:
-                    self.line("super().__init__()")
-                for name, type_ in cls.members.items():
-                    self.line(f"self.{self.attribute(name)} = {self.nothing(type_)}")
+            if cls.kind == "union":
+                self._shared(cls)
+            else:
+                self.line(f"__slots__ = {tuple(own)!r}")
+                self.line(f"MEMBERS = {tuple(every)!r}")
+                self._begin(cls)
             for routine in methods:
                 self._routine(routine)
+
+    def _begin(self, cls: StructType) -> None:
+        """What an object holds before its constructor is called."""
+        with self.block("def __init__(self):"):
+            if cls.base is not None:
+                self.line("super().__init__()")
+            for name, type_ in cls.members.items():
+                self.line(f"self.{self.attribute(name)} = {self.nothing(type_)}")
+
+    def _shared(self, cls: StructType) -> None:
+        """The members of a union: views of the same bytes."""
+        self.line("__slots__ = ()")
+        for name, type_ in cls.members.items():
+            self.line(f"{self.attribute(name)} = shared({_format(type_)!r})")
 
     # Functions
 
@@ -145,6 +164,8 @@ class _Emitter(ActionWriter):
                 self.machine(machine)
             else:
                 self.act(routine.body)
+            for act in routine.after:
+                self.act(act)
             constructor = symbol.owner is not None and symbol.name == symbol.owner.tag
             if constructor:
                 self.line("return self")
@@ -172,6 +193,17 @@ class _Emitter(ActionWriter):
         if isinstance(symbol.type, ArrayType):
             return text
         return self.cell(text, symbol.type) if is_cell(symbol) else text
+
+
+def _format(type_: Type) -> str:
+    """A number in Python's letters for `struct`; empty for characters."""
+    match type_:
+        case FloatType(bits):
+            return "<f" if bits == FLOAT.bits else "<d"
+        case IntType(bits, signed):
+            letter = {8: "b", 16: "h", 32: "i"}[bits]
+            return f"<{letter if signed else letter.upper()}"
+    return ""
 
 
 def emit(program: TypedProgram, headers: Headers) -> Emitted:

@@ -32,7 +32,7 @@ from bgi.turboc.typed import (
     Update,
     Value,
 )
-from bgi.turboc.types import VOID, StructType, Symbol
+from bgi.turboc.types import VOID, StructType, Symbol, innermost
 from bgi.turboc.wrapping import cut
 
 
@@ -129,9 +129,14 @@ class ActionWriter(ValueWriter):
 
     def _destroy(self, symbols: tuple[Symbol, ...]) -> None:
         for symbol in reversed(symbols):
-            assert isinstance(symbol.type, StructType)
-            found = symbol.type.method(f"~{symbol.type.tag}")[0]
-            self.line(f"{symbol.python}.{found.python}()")
+            cls = innermost(symbol.type)
+            assert isinstance(cls, StructType)
+            found = cls.method(f"~{cls.tag}")[0]
+            if isinstance(symbol.type, StructType):
+                self.line(f"{symbol.python}.{found.python}()")
+            else:
+                with self.block(f"for _one in {symbol.python}[::-1]:"):
+                    self.line(f"_one.{found.python}()")
 
     def _branch(self, act: Branch) -> None:
         with self.block(f"if {self.test(act.condition)}:"):

@@ -63,7 +63,12 @@ class Objects(Places):
         text = self.value(value.operand)
         if value.destructor is None:
             return f"({text}, 0)[-1]"
-        return f"destroy({text}, {value.array})"
+        owner, name = value.destructor.owner, value.destructor.python
+        assert owner is not None
+        method = (
+            f"lambda one: one.{name}()" if value.destructor.virtual else f"{owner.python}.{name}"
+        )
+        return f"destroy({text}, {value.array}, {method})"
 
     def listed(self, value: Listed) -> str:
         type_ = value.type

@@ -7,7 +7,7 @@ from typing import Any
 
 from bgi.turboc.conversions import is_place
 from bgi.turboc.emitobjects import Objects
-from bgi.turboc.emitplaces import Spot
+from bgi.turboc.emitplaces import Spot, is_cell
 from bgi.turboc.typed import (
     Address,
     Arithmetic,
@@ -125,7 +125,7 @@ class ValueWriter(Objects):
         return self.string(value)
 
     def _variable(self, value: Variable) -> str:
-        if isinstance(value.type, FunctionType):
+        if not is_cell(value.symbol):
             return self.name_of(value.symbol)
         return self.spot(value).read
 
@@ -171,6 +171,9 @@ class ValueWriter(Objects):
         positive = cut(value.left, self.known)[0] >= 0 and cut(value.right, self.known)[0] >= 0
         if positive:
             return f"({left} {value.op * (1 + (value.op == '/'))} {right})"
+        if isinstance(value.right, Constant) and value.right.value > 0:
+            name, op = self.temporary(), value.op * (1 + (value.op == "/"))
+            return f"({name} {op} {right} if ({name} := {left}) >= 0 else -(-{name} {op} {right}))"
         if value.op == "/":
             return f"int({left} / {right})"
         return f"remainder({left}, {right})"
@@ -192,7 +195,8 @@ class ValueWriter(Objects):
     def _converted(self, value: Converted) -> str:
         type_, operand = value.type, value.operand
         if isinstance(type_, IntType) and isinstance(operand.type, IntType):
-            return self.value(operand)
+            narrower = type_.bits <= operand.type.bits  # the bits above are cut once
+            return self.raw(operand) if narrower else self.value(operand)
         if isinstance(type_, IntType) and isinstance(operand.type, FloatType):
             return f"int({self.value(operand)})"
         if isinstance(type_, FloatType):

@@ -6,7 +6,7 @@ import math
 import os
 import struct
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -54,11 +54,11 @@ def number(pointer: Any) -> int:
     return 0 if pointer is None else pointer.at + 1
 
 
-def destroy(pointer: Any, array: bool) -> None:
+def destroy(pointer: Any, array: bool, destructor: Callable[[Any], Any]) -> None:
     """Call the destructors of what is deleted."""
     if pointer is not None:
         for one in pointer.memory if array else [pointer.memory[pointer.at]]:
-            one.destroy_()
+            destructor(one)
 
 
 _HELPERS: dict[str, Any] = {
@@ -66,7 +66,7 @@ _HELPERS: dict[str, Any] = {
     **{name: getattr(memory, name) for name in ("typed", "put", "put_member", "index")},
     **{"single": single, "remainder": remainder, "number": number, "destroy": destroy},
     **{"int": int, "float": float, "range": range, "max": max, "bytearray": bytearray},
-    "Union": memory.Record,
+    **{"Union": memory.Union, "shared": memory.shared},
     "__builtins__": {
         "__build_class__": __build_class__,
         "super": super,

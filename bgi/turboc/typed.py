@@ -347,6 +347,8 @@ class Routine:
     """Its local variables."""
     before: list[Act]
     """Of a constructor: what constructs the base and the members."""
+    after: list[Act]
+    """Of a destructor: what destroys them."""
     jumps: bool
     """Whether there is a goto in it."""
 

@@ -55,11 +55,14 @@ def interval(value: Value, known: dict[Symbol, Interval]) -> Interval:
         case Converted(operand=operand) if isinstance(operand.type, FloatType):
             return -WIDEST, WIDEST
         case Converted(operand=operand) if isinstance(operand.type, IntType):
-            inner = cut(operand, known)
-            return inner if fits(inner, type_) else whole
+            narrower = type_.bits <= operand.type.bits
+            return interval(operand, known) if narrower else cut(operand, known)
         case Signed(op="-", operand=operand):
             low, high = interval(operand, known)
             return -high, -low
+        case Signed(operand=operand):
+            low, high = interval(operand, known)
+            return -high - 1, -low - 1
         case Arithmetic():
             return _arithmetic(value, type_, known)
     return whole
@@ -90,8 +93,8 @@ def _arithmetic(value: Arithmetic, type_: IntType, known: dict[Symbol, Interval]
     a, b = cut(value.left, known)
     c, d = cut(value.right, known)
     if value.op == "/":
-        most = max(abs(a), abs(b))
-        return (0, b) if a >= 0 and c >= 0 else (-most, most)
+        most = max(abs(a), abs(b)) // max(c, 1)
+        return (0, most) if a >= 0 and c >= 0 else (-most, most)
     if value.op == "%":
         most = max(abs(c), abs(d)) - 1
         return (0 if a >= 0 else -most), max(min(b, most), 0)

@@ -200,3 +200,50 @@ def test_all_errors_are_told_at_once(tmp_path):
         "4: circle takes 3 arguments, not 2",
         "5: what stands on the left is no variable",
     ]
+
+
+def printed(tmp_path, text, ending=".CPP"):
+    """What a program prints, by its trace."""
+    made = program(tmp_path, text, ending)
+    made.run(Session(tmp_path / "trace", "A"))
+    lines = (tmp_path / "trace").read_text().splitlines()
+    return [line.removeprefix("print ")[1:-1] for line in lines if line.startswith("print")]
+
+
+def test_objects_are_made_copied_and_destroyed_in_order(tmp_path):
+    text = """
+        #include <iostream.h>
+        class A {
+            static int n; int k;
+        public:
+            static int count() { return n; }
+            A() { k = ++n; }
+            A(const A &o) { k = o.k * 10; }
+            ~A() { cout << '~' << k; }
+            friend ostream &operator<<(ostream &o, const A &a);
+        };
+        int A::n = 4;
+        ostream &operator<<(ostream &o, const A &a) { return o << 'A' << a.k; }
+        class Two { public: A one, other; };
+        void show(A a) { cout << a; }
+        void main() {
+            A a, *p = new A;
+            show(a);
+            delete p;
+            { A pair[2]; Two two; cout << two.other << A::count(); }
+            cout << endl;
+        }
+    """
+    assert printed(tmp_path, text) == ["A50~50~6A1010~10~9~8~7\\n~5"]
+
+
+def test_unions_share_their_bytes(result):
+    union = "union number { int i; unsigned char c[2]; };"
+    assert result("union number n; n.i = 0x1234; r = n.c[0] * 256 + n.c[1];", union) == 0x3412
+    body = "union number n, m; n.i = 5; m = n; m.c[1] = 1; r = m.i * 10 + n.i;"
+    assert result(body, union) == 2615
+
+
+def test_a_function_called_as_one_of_the_library_overloads_it(result):
+    before = "int floor(int a, int b) { return a + b; }"
+    assert result("r = floor(1, 2) + floor(7.5);", before, ending=".CPP") == 10

@@ -5,6 +5,7 @@ A memory is a list, or a bytearray for characters. A variable that is pointed to
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable
 from typing import Any
 
@@ -193,3 +194,29 @@ class Record:
         for name, value in members.items():
             setattr(self, name, value)
         return self
+
+
+class Union(Record):
+    """What all unions are: bytes that their members share."""
+
+    __slots__ = ("shared_bytes",)
+    MEMBERS = ("shared_bytes",)
+    SIZE = 0
+
+    def __init__(self) -> None:
+        self.shared_bytes = bytearray(self.SIZE)
+
+
+def shared(format: str) -> property:
+    """A member of a union: a number in a format of `struct`, or with none the bytes themselves."""
+    if not format:
+        return property(lambda union: union.shared_bytes)
+    number = struct.Struct(format)
+
+    def get(union: Union) -> Any:
+        return number.unpack_from(union.shared_bytes)[0]
+
+    def put(union: Union, value: Any) -> None:
+        number.pack_into(union.shared_bytes, 0, value)
+
+    return property(get, put)
