@@ -69,6 +69,13 @@ def _takes(symbol: Symbol, count: int) -> bool:
     return least <= count and (count <= len(type_.parameters) or type_.open)
 
 
+def _unsaid(symbol: Symbol) -> bool:
+    """Whether nothing is said of a function's parameters."""
+    type_ = symbol.type
+    assert isinstance(type_, FunctionType)
+    return type_.open and not type_.parameters
+
+
 class Calls(Values):
     """What is called."""
 
@@ -107,10 +114,11 @@ class Calls(Values):
             raise self.unknown(name.name, name.place, FunctionType(INT, (), open=True))
         if not isinstance(found[0].type, FunctionType):
             return self._through(self.named(found[0], place), given, place)
-        if found[0].kind == "function" and not any(_takes(one, len(given)) for one in found):
-            library = self.headers.symbol(name.name)  # which a function of that name overloads
-            if library is not None and _takes(library, len(given)):
-                found = [library]
+        library = self.headers.symbol(name.name)  # which a function of that name overloads
+        usable = library is not None and _takes(library, len(given))
+        own_fit = any(_takes(one, len(given)) and not _unsaid(one) for one in found)
+        if found[0].kind == "function" and library is not None and usable and not own_fit:
+            found = [library]
         return self.function(found, given, name.place)
 
     def function(self, found: list[Symbol], given: list[Value], place: Place) -> Value:

@@ -29,8 +29,14 @@ from bgi.turboc.types import (
 TEXT = PointerType(CHAR, const=True)
 """A string that a function only reads: it gets the bytes of it."""
 
+_ENUMS = """
+    graphics_errors graphics_drivers graphics_modes COLORS CGA_COLORS EGA_COLORS line_styles
+    line_widths font_names text_just putimage_ops fill_patterns text_modes
+"""
+
 _KNOWN: dict[str, Type] = {
     **{"text": TEXT, "size_t": UNSIGNED, "time_t": LONG, "clock_t": LONG, "ptrdiff_t": INT},
+    **dict.fromkeys(_ENUMS.split(), INT),
 }
 
 
@@ -55,8 +61,8 @@ class Headers:
 
     @property
     def types(self) -> Iterable[str]:
-        """The names of all types."""
-        return [*_KNOWN, *self._structs]
+        """The names of all types that a program sees."""
+        return [name for name in (*_KNOWN, *self._structs) if name != "text"]
 
     def names(self) -> Iterable[str]:
         """All names of functions and constants."""
@@ -85,7 +91,7 @@ class Headers:
         return Symbol(name, type_, NOWHERE, kind, name)
 
     def _parsed(self, text: str) -> tuple[tree.Top, ...]:
-        return parse(list(tokens(text, "")), self.types, True).items
+        return parse(list(tokens(text, "")), [*_KNOWN, *self._structs], True).items
 
     def type(self, name: str) -> Type | None:
         """The type of a name."""

@@ -83,16 +83,40 @@ class Runnable:
         self.file = os.path.basename(path)
         self.sources: dict[str, list[str]] = {}
         self.folders = [os.path.dirname(os.path.abspath(path)), *folders]
-        cplusplus = path.lower().endswith((".cpp", ".cc", ".cxx"))
+        self._headers = Headers(library.FUNCTIONS, library.CONSTANTS, library.TYPES)
         with open(path, "rb") as file:
             text = self._keep(self.file, decode(file.read()))
-        headers = Headers(library.FUNCTIONS, library.CONSTANTS, library.TYPES)
+        cplusplus = path.lower().endswith((".cpp", ".cc", ".cxx"))
+        try:
+            self.emitted = self._understood(text, cplusplus, defined)
+        except CErrors:
+            try:  # many a .C was compiled as C++
+                self.emitted = self._understood(text, not cplusplus, defined)
+                return
+            except CErrors:
+                pass
+            raise
+
+    def _understood(self, text: str, cplusplus: bool, defined: dict[str, str]) -> Emitted:
+        """The program in Python; CErrors holds all that is wrong with it."""
         macros = {**PREDEFINED, **({"__cplusplus": "1"} if cplusplus else {}), **defined}
         read = preprocess(text, self.file, library.HEADERS, self._load, macros)
         if read.errors:
             raise CErrors(read.errors)
-        tree = parse(read.tokens, headers.types, cplusplus, read.headers)
-        self.emitted: Emitted = emit(check(tree, headers, cplusplus), headers)
+        before = sys.getrecursionlimit()
+        sys.setrecursionlimit(DEEPEST)
+        try:
+            tree = parse(read.tokens, self._headers.types, cplusplus, read.headers)
+            emitted = emit(check(tree, self._headers, cplusplus), self._headers)
+            self.code = compile(emitted.text, PROGRAM, "exec", dont_inherit=True)
+        except SyntaxError as error:
+            place = emitted.places[(error.lineno or 1) - 1]
+            raise CErrors([CError(place, f"this is too much for Python: {error.msg}")]) from None
+        except (RecursionError, MemoryError):
+            raise CErrors([CError(NOWHERE, "an expression is nested too deeply")]) from None
+        finally:
+            sys.setrecursionlimit(before)
+        return emitted
 
     def _keep(self, name: str, text: str) -> str:
         self.sources[name] = text.split("\n")
@@ -115,11 +139,10 @@ class Runnable:
 
     def load(self, session: Session) -> dict[str, Any]:
         """The program in Python: its names, with its global variables as they are at first."""
-        code = compile(self.emitted.text, PROGRAM, "exec", dont_inherit=True)
         found = library.names(session)
         names = {**_HELPERS, "__name__": "program"}
         names |= {name: found[name] for name in self.emitted.used}
-        exec(code, names)
+        exec(self.code, names)
         return names
 
     def run(self, session: Session, arguments: Sequence[str] = ()) -> int:

@@ -247,3 +247,12 @@ def test_unions_share_their_bytes(result):
 def test_a_function_called_as_one_of_the_library_overloads_it(result):
     before = "int floor(int a, int b) { return a + b; }"
     assert result("r = floor(1, 2) + floor(7.5);", before, ending=".CPP") == 10
+
+
+def test_a_sum_too_long_is_an_error(tmp_path):
+    with pytest.raises(CErrors, match=r"T.C:1:\d+: this is too much for Python"):
+        program(tmp_path, f"void main() {{ int x = 1; x = {'+'.join(['x'] * 5000)}; }}")
+
+
+def test_a_c_file_may_hold_cplusplus(result):
+    assert result("r = 3; for (int i = 0; i < 2; i++) { } r += i;", "class A { };") == 5
