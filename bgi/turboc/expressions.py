@@ -107,7 +107,8 @@ class Expressions(Stream):
 
     def cast(self) -> Expr:
         """`(type) operand`"""
-        if not (self.at("(") and self.starts_type(1)):
+        converts = self.cplusplus and self.ahead(2).text == "(" and self.ahead(3).text != "*"
+        if not (self.at("(") and self.starts_type(1)) or converts:  # as in (int(x) + 1)
             return self.unary()
         with self.deeper():
             place = self.take().place

@@ -42,7 +42,11 @@ def string(text: str) -> bytes:
         elif octal:
             made.append(int(octal, 8) & 0xFF)
         elif escape:
-            made += bytes([_ESCAPES[escape]]) if escape in _ESCAPES else escape.encode("cp437", "replace")
+            made += (
+                bytes([_ESCAPES[escape]])
+                if escape in _ESCAPES
+                else escape.encode("cp437", "replace")
+            )
         else:
             made += plain.encode("cp437", "replace")
     return bytes(made)

@@ -254,5 +254,9 @@ def test_a_sum_too_long_is_an_error(tmp_path):
         program(tmp_path, f"void main() {{ int x = 1; x = {'+'.join(['x'] * 5000)}; }}")
 
 
+def test_brackets_around_a_conversion_are_no_cast(result):
+    assert result("double x = 7.5; r = (int(x) % 4) * (int)x;", ending=".CPP") == 21
+
+
 def test_a_c_file_may_hold_cplusplus(result):
     assert result("r = 3; for (int i = 0; i < 2; i++) { } r += i;", "class A { };") == 5
