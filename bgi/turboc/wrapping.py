@@ -103,6 +103,7 @@ def _arithmetic(value: Arithmetic, type_: IntType, known: dict[Symbol, Interval]
     if value.op == ">>" and a >= 0:
         return 0, b
     if value.op == "<<":
+        a, b = interval(value.left, known)  # the bits above are cut once, behind the shift
         if c >= 0 and d <= 31:
             ends = (a << c, a << d, b << c, b << d)
             return min(ends), max(ends)
