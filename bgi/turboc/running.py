@@ -11,16 +11,16 @@ from types import TracebackType
 from typing import Any
 
 from bgi.errors import BGIError
-from bgi.turboc.checking import check
-from bgi.turboc.emit import Emitted, emit
+from bgi.turboc.checker.checking import check
+from bgi.turboc.checker.headers import Headers
+from bgi.turboc.emitter.emit import Emitted, emit
 from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
-from bgi.turboc.headers import Headers
-from bgi.turboc.parser import parse
-from bgi.turboc.preprocess import preprocess
+from bgi.turboc.grammar.parser import parse
 from bgi.turboc.runtime import library, memory
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.session import Session
-from bgi.turboc.source import decode
+from bgi.turboc.words.preprocess import preprocess
+from bgi.turboc.words.source import decode
 
 PROGRAM = "<C program>"
 """What Python calls the file of the emitted program."""

@@ -2,10 +2,10 @@
 
 from dataclasses import fields
 
-from bgi.turboc import nodes
-from bgi.turboc import tree as trees
-from bgi.turboc.parser import parse
-from bgi.turboc.preprocess import preprocess
+from bgi.turboc.grammar import nodes
+from bgi.turboc.grammar import tree as trees
+from bgi.turboc.grammar.parser import parse
+from bgi.turboc.words.preprocess import preprocess
 
 HEADERS = ("graphics.h", "conio.h", "stdio.h", "iostream.h")
 TYPES = ("FILE", "ostream", "REGS")

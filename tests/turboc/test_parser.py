@@ -5,8 +5,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bgi.turboc.faults import CErrors
-from bgi.turboc.parser import parse
-from bgi.turboc.preprocess import preprocess
+from bgi.turboc.grammar.parser import parse
+from bgi.turboc.words.preprocess import preprocess
 from tests.turboc.sketch import HEADERS, TYPES, body, declared, sketch, tree, value
 
 

@@ -5,9 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bgi.turboc.faults import CError, Place, shown
-from bgi.turboc.lexer import tokens
-from bgi.turboc.preprocess import preprocess
-from bgi.turboc.source import decode
+from bgi.turboc.words.lexer import tokens
+from bgi.turboc.words.preprocess import preprocess
+from bgi.turboc.words.source import decode
 
 
 def words(text, beside=None, **defined):

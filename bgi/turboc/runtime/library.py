@@ -8,8 +8,8 @@ import bgi
 from bgi import conio
 from bgi.turboc.runtime import graphicslib, pclib, purelib, stdiolib, streams
 from bgi.turboc.runtime.binding import bound, declarations
-from bgi.turboc.runtime.registers import structures
 from bgi.turboc.runtime.session import Session
+from bgi.turboc.runtime.structures import structures
 
 _NAMES = (
     "graphics conio dos bios stdio stdlib string math ctype time alloc malloc mem memory process "

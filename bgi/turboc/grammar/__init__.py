@@ -1,0 +1,1 @@
+"""From words to the tree of a program, as it is written."""
