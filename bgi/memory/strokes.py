@@ -12,7 +12,7 @@ from bgi.memory.areas import Areas
 from bgi.memory.backend import draw_box, draw_line
 from bgi.raster import lines
 from bgi.raster.lines import Ints, Segments
-from bgi.raster.patterns import SOLID, Dashes, walk
+from bgi.raster.patterns import SOLID, Dashes
 
 _LONG = 48
 """Steps of a line on average: from here on one line after another is faster than all at once."""
@@ -97,17 +97,13 @@ class Strokes(Areas):
         if m == 0 or m == n:  # level, upright or diagonal
             self._put_evenly(first, along + across if m else along, n, color, style, xor)
             return
-        count = style.counts[n]
-        place = lines.places(course, style.steps[:count], walk(style.bits, along)[:count])
-        pixels = self.flat
-        if along > 0 < across:
-            pixels = pixels[first:]
-        else:
-            place += np.array(first)
+        place = lines.places(course)
+        if style is not SOLID:
+            place = place[style.upto(n)]
         if xor:  # no pixel occurs twice
-            pixels[place] ^= np.array(color, pixels.dtype)
+            self.flat[place] ^= np.array(color, self.flat.dtype)
         else:
-            pixels[place] = color
+            self.flat[place] = color
 
     def _put_evenly(
         self, first: int, step: int, n: int, color: int, style: Dashes, xor: bool
@@ -115,7 +111,7 @@ class Strokes(Areas):
         """A line whose n steps all lead as far over the page."""
         pixels = self.flat[first::step]
         if style is not SOLID:
-            place = style.steps[: style.counts[n]]
+            place = style.upto(n)
             if xor:
                 pixels[place] ^= np.array(color, pixels.dtype)
             else:

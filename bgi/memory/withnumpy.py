@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from bgi.memory import bmpfile, pngfile
 from bgi.raster import lines
-from bgi.raster.patterns import SOLID, walk
 
 _KIND: dict[int, str] = {1: "u1", 4: "<u4"}
 
@@ -45,10 +44,10 @@ def draw_line(surface: Bitmap, color: int, end: Point, start: Point, width: int 
     if n < m:
         n, m, along, across = m, n, across, along
     first = y1 * surface.width + x1
-    course = first, max(n, 1), m, along, across
-    place = lines.places(course, SOLID.steps[: n + 1], walk(SOLID.bits, along)[: n + 1])
-    place += np.array(first)
-    surface.flat[place] = color
+    if m:
+        surface.flat[lines.places((first, n, m, along, across))] = color
+    else:  # level or upright
+        surface.flat[first::along][: n + 1] = color
 
 
 def draw_box(surface: Bitmap, color: int, box: Box, width: int = 1) -> None:

@@ -42,7 +42,8 @@ _MOVES = 8
 _FRACTION_BITS = 32
 """Bits after the binary point of a step along the shorter axis."""
 _SHIFT = np.array(_FRACTION_BITS)
-_ROUNDING = np.array((1 << _FRACTION_BITS - 1) + (1 << _FRACTION_BITS - 14))
+_BELOW_ONE = (1 << _FRACTION_BITS) - 1
+_ROUNDING = (1 << _FRACTION_BITS - 1) + (1 << _FRACTION_BITS - 14)
 """A half, and a little more than the truncated step loses: less than 1 / 2n, for n below 4096."""
 
 
@@ -143,24 +144,29 @@ def _course(x1: int, y1: int, x2: int, y2: int, right: int, down: int) -> Course
     return (first, n, m, aside, down) if n >= m else (first, m, n, down, aside)
 
 
-def places(course: Course, steps: Ints, walk: Ints) -> Ints:
-    """Where those steps of a line are that is neither level nor upright, seen from its first pixel.
+def places(course: Course) -> Ints:
+    """Where the steps of a line are that is neither level nor upright.
 
-    `walk` is where the steps lead along the longer axis.
+    In fixed point: a step along the shorter axis is a fraction.
     """
-    _, n, m, _, across = course
-    # A 0-d array saves numpy from looking at a number: a third of the time.
-    place: Ints = steps * np.array((m << _FRACTION_BITS) // n, np.int64)
-    place += _ROUNDING
+    first, n, m, along, across = course
+    slope = (m << _FRACTION_BITS) // n
+    if across == 1 or across == -1:  # what the fraction adds is a place, as the rest is
+        step = (along << _FRACTION_BITS) + across * slope
+        rounding = _ROUNDING if across == 1 else _BELOW_ONE - _ROUNDING
+        place = _row(n, (first << _FRACTION_BITS) + rounding, step)
+        place >>= _SHIFT
+        return place
+    place = _row(n, _ROUNDING, slope)
     place >>= _SHIFT
-    if across == 1:
-        place += walk
-    elif across == -1:
-        np.subtract(walk, place, place)
-    else:
-        place *= np.array(across)
-        place += walk
+    place *= np.array(across)
+    place += _row(n, first, along)
     return place
+
+
+def _row(n: int, start: int, step: int) -> Ints:
+    """A number for each of n steps, and one before them."""
+    return np.arange(start, start + (n + 1) * step, step, dtype=np.int64)
 
 
 def steps_of(segments: Segments) -> Ints:

@@ -76,12 +76,6 @@ def dashes(bits: int) -> Dashes:
     return Dashes(bits, drawn, np.flatnonzero(drawn), drawn.cumsum(dtype=np.uint16).data)
 
 
-@lru_cache(maxsize=64)
-def walk(bits: int, along: int) -> NDArray[np.int64]:
-    """Where the steps that draw lead, if each adds `along` to the place."""
-    return dashes(bits).steps * along
-
-
 SOLID = dashes(SOLID_BITS)
 
 

@@ -383,12 +383,16 @@ def test_a_rectangle_is_four_lines_in_every_style(style, row, mode, data):
     assert (one.page.array == other.page.array).all()
 
 
-@given(n=st.integers(2, 4095), data=st.data(), across=st.sampled_from([1, -1, 640, -4096]))
-def test_every_pixel_of_a_long_line_is_that_of_the_rule(n, data, across):
+@given(n=st.integers(2, 4095), data=st.data(), width=st.sampled_from([320, 640, 4096]))
+def test_every_pixel_of_a_long_line_is_that_of_the_rule(n, data, width):
     m = data.draw(st.integers(1, n - 1))
+    first = data.draw(st.integers(0, 4096 * width - 1))
     steps = np.arange(n + 1, dtype=np.int64)
-    expected = 3 * steps + across * ((2 * m * steps + n) // (2 * n))
-    assert (lines.places((77, n, m, 3, across), steps, 3 * steps) == expected).all()
+    shorter = (2 * m * steps + n) // (2 * n)
+    for sign in (1, -1):
+        for along, across in ((sign, width), (width, sign), (1, sign * width), (sign * width, 1)):
+            expected = first + along * steps + across * shorter
+            assert (lines.places((first, n, m, along, across)) == expected).all()
 
 
 def rightward(x1, y1, x2, y2):
