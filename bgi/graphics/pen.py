@@ -6,7 +6,7 @@ filled in the pattern that is set. All points here are absolute: the viewport's 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from typing import Any
 
@@ -165,9 +165,11 @@ class Pen(State):
         raise ValueError(f"{name} must be a number or {count} numbers, not of shape {array.shape}")
 
 
-def _calls(arguments: dict[str, Numbers]) -> Iterable[list[int]]:
+def _calls(arguments: dict[str, Numbers]) -> Iterable[Sequence[int]]:
     """The whole numbers of every call that arguments ask for: of one, or one for each element."""
     if any(map(is_array, arguments.values())):
         parts = in_chunks(**arguments)
-        return chain.from_iterable(np.stack(part, axis=-1).tolist() for part in parts)
+        return chain.from_iterable(
+            zip(*map(np.ndarray.tolist, part), strict=True) for part in parts
+        )
     return ([whole(name, value) for name, value in arguments.items()],)
