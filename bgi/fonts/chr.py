@@ -56,10 +56,10 @@ class StrokedFont:
     widths: tuple[int, ...]
     strokes: tuple[tuple[Operation, ...], ...]
 
-    def width(self, code: int) -> int:
-        """How far the pen advances after the character; 0 outside the font."""
-        place = code - self.first
-        return self.widths[place] if 0 <= place < len(self.widths) else 0
+    @cached_property
+    def every_width(self) -> tuple[int, ...]:
+        """How far the pen advances after each of 256 characters; 0 outside the font."""
+        return ((0,) * self.first + self.widths + (0,) * 256)[:256]
 
     def operations(self, code: int) -> tuple[Operation, ...]:
         """The character's strokes; none outside the font."""

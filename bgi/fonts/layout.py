@@ -67,7 +67,7 @@ def textwidth(font: StrokedFont, text: bytes, scale: Scale) -> int:
 
 
 def _width(font: StrokedFont, text: bytes, scale: Scale) -> int:
-    return _scaled(sum(map(font.width, text)), scale.mx, scale.dx)
+    return _scaled(sum(map(font.every_width.__getitem__, text)), scale.mx, scale.dx)
 
 
 _known_width = lru_cache(maxsize=1024)(_width)
@@ -80,7 +80,7 @@ def textheight(font: StrokedFont, scale: Scale) -> int:
 
 def advance(font: StrokedFont, code: int, scale: Scale) -> int:
     """How far the pen moves on after a character."""
-    return _scaled(font.width(code), scale.mx, scale.dx) if font.operations(code) else 0
+    return _scaled(font.every_width[code], scale.mx, scale.dx) if font.operations(code) else 0
 
 
 def strokes(font: StrokedFont, code: int, scale: Scale, vertical: bool) -> NDArray[np.int64]:

@@ -2,6 +2,8 @@
 
 A letter is drawn from its strokes once, and then from its offsets wherever the pen begins. Where an
 edge cuts it the strokes are clipped, one by one, and their pixels may be others: that is not kept.
+A text is kept as a whole when it is met for the second time: the one of a score, or of a clock,
+never comes again.
 """
 
 from functools import lru_cache
@@ -15,12 +17,13 @@ from bgi.fonts import layout
 from bgi.fonts.chr import StrokedFont
 from bgi.fonts.codepage import REMEMBERED
 from bgi.fonts.layout import Scale
+from bgi.raster.kept import Kept
 from bgi.raster.lines import Trace
 from bgi.raster.offsets import Offsets, each_once, offsets, reach
 
 KEPT_OF_A_LETTER, KEPT_OF_A_TEXT = 2048, 8192
 """Pixels of a letter and of a text that are kept, eight bytes each; larger ones are not. All that
-is kept takes at most 32 and 8 megabytes."""
+is kept of letters takes at most 32 megabytes."""
 
 
 class Lettering:
@@ -60,22 +63,21 @@ def letter(way: Lettering, code: int) -> Letter:
     return Letter(offsets(place, reach(x, y), way.width), *move)
 
 
-def text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | None:
-    """A justified text, seen from its point; None if it is too large to be kept."""
-    return _known_text(way, codes, horiz, vert) if len(codes) <= REMEMBERED else None
+def text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | tuple[()] | None:
+    """A justified text that is met again, seen from its point; nothing if it is too large."""
+    return TEXTS.again(way, codes, horiz, vert) if len(codes) <= REMEMBERED else None
 
 
-@lru_cache(maxsize=128)
-def _known_text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | None:
+def _text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | tuple[()]:
     letters = [letter(way, code) for code in codes]
     pixels = [one.pixels for one in letters]
     if not pixels or None in pixels:
-        return None
+        return ()
     place, left, top, right, bottom = zip(*pixels, strict=True)
     _, across, down = zip(*letters, strict=True)
     counts = list(map(len, place))
     if sum(counts) > KEPT_OF_A_TEXT:
-        return None
+        return ()
     x, y = layout.anchor(way.font, codes, way.scale, way.vertical, horiz, vert)
     pens = accumulate(across[:-1], initial=x), accumulate(down[:-1], initial=y)
     xs, ys = map(list, pens)
@@ -87,3 +89,7 @@ def _known_text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets 
     places += np.array(starts).repeat(counts)
     extent = min(xs_left), min(ys_top), max(map(add, xs, right)), max(map(add, ys, bottom))
     return offsets(each_once(places, True) if way.xor else places, extent, way.width)
+
+
+TEXTS = Kept(_text, 1 << 23)
+"""By the way they are written, by their characters, and by how they are justified."""

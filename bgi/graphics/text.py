@@ -171,7 +171,7 @@ class Text(State):
         vertical = style.direction == VERT_DIR
         way = lettering(font, scale, vertical, self._xor, self.page.trace, self.mode.width)
         drawn = whole_text(way, text, style.horiz, style.vert)
-        if drawn is not None and self.page.put_offsets(x, y, drawn, self._ink, self._xor):
+        if drawn and self.page.put_offsets(x, y, drawn, self._ink, self._xor):
             return
         dx, dy = layout.anchor(font, text, scale, vertical, style.horiz, style.vert)
         x, y = x + dx, y + dy

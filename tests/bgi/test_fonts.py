@@ -142,10 +142,10 @@ def test_every_shipped_character(name):
     font = FONTS[name]
     blank = {0, 32, 255}
     for code in range(font.first, font.first + len(font.widths)):
-        assert font.width(code) > 0
+        assert font.every_width[code] > 0
         assert any(draw for draw, _, _ in font.operations(code)) == (code not in blank), code
         assert font.operations(code)
-    assert font.width(0) == 0 and font.operations(0) == ()
+    assert font.every_width[0] == 0 and font.operations(0) == ()
 
 
 @named

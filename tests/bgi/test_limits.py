@@ -10,7 +10,7 @@ import pytest
 import bgi
 from bgi import dos, mouse
 from bgi.errors import brief
-from bgi.fonts import bitmap, codepage, layout, lettering
+from bgi.fonts import bitmap, codepage, layout
 from bgi.fonts.chr import Operation
 from bgi.fonts.layout import Scale
 from bgi.fonts.lettering import Lettering, letter
@@ -218,7 +218,6 @@ def test_the_built_in_font_has_none() -> None:
     [
         (codepage._remembered, lambda: bgi.textwidth("x" * 81)),
         (layout._known_width, lambda: bgi.textwidth("x" * 81)),
-        (lettering._known_text, lambda: bgi.outtextxy(0, 0, "x" * 81)),
         (bitmap._remembered, lambda: bitmap.mask(b"x" * 80, 4, 4)),
     ],
 )
@@ -266,10 +265,11 @@ def test_the_pixels_of_large_letters_are_not_kept(length: int, kept: bool) -> No
 
 
 @pytest.mark.parametrize(("letters", "kept"), [(4, True), (5, False), (81, False)])
-def test_the_pixels_of_large_texts_are_not_kept(letters: int, kept: bool) -> None:
+def test_texts_that_come_again_are_kept_unless_they_are_large(letters: int, kept: bool) -> None:
     font = font_of([Operation(False, 0, 0), Operation(True, 1, 0)])
     way = Lettering(font, Scale(2047, 1, 1, 1), False, False, trace_many, 640)
-    assert (whole_text(way, b"A" * letters, 0, 2) is not None) == kept
+    assert not whole_text(way, b"A" * letters, 0, 2)  # a new one
+    assert bool(whole_text(way, b"A" * letters, 0, 2)) == kept
 
 
 def test_a_text_of_large_letters_is_drawn() -> None:
