@@ -260,17 +260,23 @@ class _ScreenOutput(io.TextIOBase):
 
     def __init__(self, before: Any) -> None:
         self._before = before
+        self._busy = False
 
     def writable(self) -> bool:
         return True
 
     def write(self, text: str) -> int:
-        try:
-            return _write(text)
-        except BGIError:
-            if self._before is not None:
-                self._before.write(text)
-            return len(text)
+        if not self._busy:  # opening the screen, bgi may have something to say itself
+            self._busy = True
+            try:
+                return _write(text)
+            except BGIError:
+                pass
+            finally:
+                self._busy = False
+        if self._before is not None:
+            self._before.write(text)
+        return len(text)
 
 
 class _ScreenInput(io.TextIOBase):

@@ -10,6 +10,7 @@ REMEMBERED = 80
 _CONTROL_PICTURES = "☺☻♥♦♣♠•◘○◙♂♀♪♫☼►◄↕‼¶§▬↨↑↓→←∟↔▲▼"
 _TO_CONTROL = {ord(picture): code for code, picture in enumerate(_CONTROL_PICTURES, start=1)}
 _TO_CONTROL[ord("⌂")] = 127
+_TO_PICTURE = {0: " ", **{code: chr(picture) for picture, code in _TO_CONTROL.items()}}
 
 
 def encode(text: str | bytes) -> bytes:
@@ -28,6 +29,11 @@ def _encode(text: str) -> bytes:
     if text.isascii():
         return text.encode("ascii")
     return text.translate(_TO_CONTROL).encode("cp437", "replace")
+
+
+def decode(codes: bytes) -> str:
+    """The text of bytes in code page 437, its pictures for the control codes; 0 is a space."""
+    return codes.decode("cp437").translate(_TO_PICTURE)
 
 
 _remembered = lru_cache(maxsize=1024)(_encode)

@@ -5,8 +5,10 @@ through at once and the same way every time. Whatever takes time on a real scree
 pause, a picture, and a little every question.
 """
 
+import contextlib
 import math
 import os
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -16,6 +18,7 @@ from bgi.memory.card import Card
 from bgi.monitor import moment
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import KeyQueue
+from bgi.monitor.letters import spoken
 from bgi.monitor.plan import Plan, saving
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.recorder import Recorder
@@ -178,7 +181,13 @@ class Headless:
         self.title = title
 
     def linger(self) -> None:
-        """Nobody is there to read."""
+        """Print what stands on the text screen: the terminal is all that there is to read it on."""
+        words = spoken(self._card.frame()) if self._card is not None else ""
+        terminal = sys.__stdout__
+        if words and terminal is not None:
+            known = words.encode(terminal.encoding, "replace").decode(terminal.encoding)
+            with contextlib.suppress(OSError, ValueError):  # it may be closed
+                print(known, end="", file=terminal, flush=True)
 
     def close(self) -> None:
         """Write the picture and the recording that are planned; once."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from bgi.fonts.codepage import decode
 from bgi.kernel.textmodes import CELL_WIDTH
 from bgi.memory.card import BRIGHT, MONOCHROME, Frame, TextFrame
 
@@ -35,6 +36,16 @@ def at_moment(frame: Frame, seconds: float) -> Frame:
     if text.attributes == BRIGHT or frame.pixels[1::2].isascii():
         dark &= 1
     return frame._replace(text=text._replace(phase=dark))
+
+
+def spoken(frame: Frame | None) -> str:
+    """What stands in a text mode, as lines of a terminal; "" if that is nothing, or a picture."""
+    if frame is None or frame.text is None:
+        return ""
+    codes, width = frame.pixels[::2], frame.text.columns
+    rows = [decode(codes[at : at + width]).rstrip() for at in range(0, len(codes), width)]
+    text = "\n".join(rows).rstrip("\n")
+    return f"{text}\n" if text else ""
 
 
 def drawn(frame: Frame, text: TextFrame) -> NDArray[np.uint8]:

@@ -34,7 +34,7 @@ def play(case):
 
 def expected(case):
     """A case's picture, in the colours that are ours on purpose."""
-    picture = read_indices(case["picture"])
+    picture = read_indices(case["picture"]).copy()
     if case["name"].startswith("printf"):
         picture[picture == PRINTED] = bgi.LIGHTGRAY
     if case["name"] == "clrscr":  # the emulator's own: empty is in some colour of text

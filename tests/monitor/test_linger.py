@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import pytest
 
@@ -89,3 +90,46 @@ def test_ctrl_c_ends_it_at_once(then: str) -> None:
     program.send_signal(signal.SIGINT)
     _, errors = program.communicate(timeout=20)
     assert ("KeyboardInterrupt" in errors) == bool(then)
+
+
+PRINTS = {
+    "graphics": "initgraph(); circle(9, 9, 5)",
+    "nothing": "textmode(C40)",
+    "text": r"printf('\x01 one\n\n'); gotoxy(5, 4); cputs(' two ')",
+}
+
+
+def printed(program: str, *options: str) -> str:
+    """What a program prints where there is no window."""
+    imports = "from bgi import *\nfrom bgi.conio import *\nfrom bgi.stdio import printf\n"
+    code = f"{imports}{program}"
+    run = subprocess.run(
+        [sys.executable, *options, "-c", code],
+        env={**os.environ, "BGI_MONITOR": "none", "PYTHONIOENCODING": "utf-8"},
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
+    )
+    return run.stdout
+
+
+@pytest.mark.parametrize(
+    ("name", "words"), [("graphics", ""), ("nothing", ""), ("text", "☺ one\n\n\n     two\n")]
+)
+def test_without_a_window_it_is_printed_on_the_terminal(name: str, words: str) -> None:
+    assert printed(PRINTS[name]) == words
+
+
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display")
+def test_what_bgi_says_itself_may_come_while_the_words_open_the_screen(tmp_path: Path) -> None:
+    """The note that there is no display went to the screen, which was just being opened."""
+    program = tmp_path / "hello.py"
+    program.write_text("print('Hello')")
+    run = subprocess.run(
+        [sys.executable, "-m", "bgi", "--console", str(program)],
+        env={**os.environ, "BGI_MONITOR": "", "DISPLAY": "", "SDL_VIDEODRIVER": ""},
+        capture_output=True,
+        text=True,
+    )
+    assert "no display found" in run.stderr
+    assert (run.stdout, run.returncode) == ("Hello\n", 0)
