@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from bgi import conio
 from bgi.turboc.runtime.library import FUNCTIONS, names
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.scripted import script
@@ -160,3 +161,19 @@ def test_strings(tmp_path: Path) -> None:
     assert [word.at for word in words] == [0, 4, 8] and c.strtok(None, b",;") is None
     with pytest.raises(IndexError):
         c.strcpy(to, b"x" * 20)
+
+
+def test_conio_writes_in_the_text_colour_and_stdio_does_not(tmp_path: Path) -> None:
+    def main(c: C) -> None:
+        c.clrscr()
+        c.textcolor(12)
+        c.putch(ord("a"))
+        c.cputs(b"b")
+        c.cprintf(b"%c", ord("c"))
+        c.ungetch(ord("d"))
+        c.getche()
+        c.printf(b"e")
+
+    traced(tmp_path, main)
+    cells = conio.gettext(1, 1, 5, 1)
+    assert [color & 15 for color in cells[1::2]] == [12, 12, 12, 12, 7]

@@ -73,7 +73,7 @@ class PCLibrary:
     def getche(self) -> int:
         code = self._pc.getch()
         self._note("getche", (), code)
-        self._program.print(bytes([code]))
+        self._program.put(bytes([code]))
         return code
 
     def ungetch(self, code: int) -> int:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from bgi import current
+from bgi import conio, current
 from bgi.errors import BGIError, WindowClosed
 from bgi.turboc.runtime.livepc import LivePC
 from bgi.turboc.runtime.scripted import Scripted, script
@@ -61,11 +61,18 @@ class Session:
         self.at_exit: list[Callable[[], Any]] = []
 
     def print(self, data: bytes) -> None:
-        """Write on the screen."""
+        """Write on the screen as stdio.h does: as DOS would."""
         if self.trace:
             self.trace.print(data)
         if data:
             (current.crt or current.console()).print(data)
+
+    def put(self, data: bytes) -> None:
+        """Write on the screen as conio.h does: in the text colour, inside the window."""
+        if self.trace:
+            self.trace.print(data)
+        if data:
+            conio.cputs(data)
 
     def read(self, data: bytes) -> None:
         """Note what was read of the typed text."""

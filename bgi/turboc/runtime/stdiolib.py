@@ -67,7 +67,10 @@ class StdioLibrary:
         self._program.print(data)
         return len(data)
 
-    cprintf = printf
+    def cprintf(self, format: Any, *values: Any) -> int:
+        data = self._format(format, values)
+        self._program.put(data)
+        return len(data)
 
     def _format(self, format: Any, values: tuple[Any, ...]) -> bytes:
         made = formatted(characters(format), *map(_shown, values))
@@ -86,17 +89,21 @@ class StdioLibrary:
         return 0
 
     def cputs(self, s: Any) -> int:
-        self._program.print(characters(s))
-        return 0
+        data = characters(s)
+        self._program.put(data)
+        return data[-1] if data else 0
 
     def fputs(self, s: Any, stream: Any) -> int:
-        return self.cputs(s)
+        self._program.print(characters(s))
+        return 0
 
     def putchar(self, c: int) -> int:
         self._program.print(bytes([c & 0xFF]))
         return c
 
-    putch = putchar
+    def putch(self, c: int) -> int:
+        self._program.put(bytes([c & 0xFF]))
+        return c
 
     def fputc(self, c: int, stream: Any) -> int:
         return self.putchar(c) & 0xFF
