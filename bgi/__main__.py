@@ -27,6 +27,7 @@ from bgi.monitor import ending
 from bgi.monitor.plan import note, written
 from bgi.monitor.recorder import missing
 from bgi.monitor.script import parse_script, parse_time
+from bgi.monitor.web.pagewindow import PageWindow
 from bgi.stdio import on_screen
 
 VARIABLES = {
@@ -35,6 +36,7 @@ VARIABLES = {
     "shot": "BGI_SHOT",
     "after": "BGI_AFTER",
     "record": "BGI_RECORD",
+    "open": "BGI_WEB_OPEN",
 }
 """The options that are for the program's monitor."""
 
@@ -54,7 +56,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     program, *rest = words or parser.error("which program? Give its file, or --info")
     if options.record and (reason := missing()):
         parser.error(reason)
-    given = {name: str(value) for name in VARIABLES if (value := getattr(options, name))}
+    if options.open and (options.monitor or os.environ.get("BGI_MONITOR")) != "web":
+        parser.error("--open goes with --monitor web")
+    if options.monitor == "web" and (reason := PageWindow.missing()):
+        parser.error(reason)
+    given = {name: _told(value) for name in VARIABLES if (value := getattr(options, name))}
     os.environ.update({VARIABLES[name]: value for name, value in given.items()})
     if not os.path.exists(program):
         print(f"bgi: there is no program {program}", file=sys.stderr)
@@ -71,6 +77,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         current.close_screen()
         unwritten = [file for file in planned if not _was_written(file)]
     return status or int(bool(unwritten))
+
+
+def _told(value: object) -> str:
+    """An option's value in a variable of the environment."""
+    return "1" if value is True else str(value)
 
 
 def _say_what_stands_behind(program: str, rest: list[str]) -> None:
@@ -96,8 +107,11 @@ def _parser() -> argparse.ArgumentParser:
         help="the program's file, and its arguments",
     )
     parser.add_argument(
-        "--monitor", choices=("window", "none"), help="where to draw (default: where there is room)"
+        "--monitor",
+        choices=("window", "web", "none"),
+        help="where to draw (default: where there is room); web: in a browser",
     )
+    parser.add_argument("--open", action="store_true", help="with web: open the browser")
     parser.add_argument(
         "--keys", type=_script, metavar='"1 Left Wait2s Esc"', help="keys to press for the program"
     )
@@ -224,11 +238,12 @@ def _say_what_there_is() -> None:
         "numpy": _installed("numpy"),
         "pygame": _pygame(),
         "pillow": _installed("pillow") or "not installed: no recording",
+        "websockets": _installed("websockets") or "not installed: no page in a browser",
         "display": _display(),
         "sound": _sound(),
         "fonts": _fonts(),
     }.items():
-        print(f"{name:8}  {value}")
+        print(f"{name:10}  {value}")
 
 
 def _pygame() -> str:

@@ -27,6 +27,10 @@ class Images(State):
         """The active page, for notebooks."""
         return png(self.page.array, self.card.palette)
 
+    def _repr_html_(self) -> str | None:
+        """The running screen, for notebooks, where a browser can show it; else None."""
+        return self.monitor.notebook_html() or None
+
     def imagesize(self, left: Number, top: Number, right: Number, bottom: Number) -> int:
         """The bytes of Borland's layout; 65535 and -11 from 64K on."""
         width = abs(whole("right", right) - whole("left", left)) + 1

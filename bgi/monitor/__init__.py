@@ -1,7 +1,8 @@
 """Monitors: what shows the card's memory and sends keys back, and the choice between them.
 
 A monitor is anything that keeps the contract `Monitor`. `window.Window` is a window, drawn by a
-child process (`child.py`); `headless.Headless` shows nothing.
+child process (`child.py`); `web.pagewindow.PageWindow` is one that a browser shows;
+`headless.Headless` shows nothing.
 """
 
 import functools
@@ -18,9 +19,12 @@ from bgi.monitor.keyqueue import KeyQueue
 from bgi.monitor.plan import Plan
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.protocol import TITLE
+from bgi.monitor.web.pagewindow import PageWindow
 from bgi.monitor.window import Window
 
-__all__ = ["Headless", "Monitor", "Window", "choose"]
+__all__ = ["Headless", "Monitor", "PageWindow", "Window", "choose"]
+
+_ASKED_FOR: dict[str, type[Window]] = {"window": Window, "web": PageWindow}
 
 
 class Monitor(Protocol):
@@ -64,6 +68,9 @@ class Monitor(Protocol):
     def set_title(self, title: str) -> None:
         """Name the window."""
 
+    def notebook_html(self) -> str:
+        """What a notebook shows of the screen while it runs; "" where that is a picture."""
+
     def linger(self) -> None:
         """The program has ended: let the screen be read, if somebody is there. Never raises."""
 
@@ -83,15 +90,15 @@ def choose(
     `on_lost` is called, mostly from another thread, with the error that every call raises from then
     on: when the user closes the window, its process dies or the planned end comes. Where a window
     cannot be opened one line says why, and drawing goes on without it; but BGIError is raised if
-    BGI_MONITOR asks for it. ValueError if BGI_MONITOR is neither `window` nor `none`, or the plan
-    makes no sense.
+    BGI_MONITOR asks for it, or for a page. ValueError if BGI_MONITOR is neither `window`, `web` nor
+    `none`, or the plan makes no sense.
     """
     wish = os.environ.get("BGI_MONITOR", "")
-    if wish not in ("", "window", "none"):
-        raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window' or 'none'")
+    if wish not in ("", "none", *_ASKED_FOR):
+        raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window', 'web' or 'none'")
     plan = Plan.from_environment()
-    if wish == "window":
-        return Window(card, title, on_lost, plan, beside)
+    if wish in _ASKED_FOR:
+        return _ASKED_FOR[wish](card, title, on_lost, plan, beside)
     if not wish:
         try:
             if not display_exists():

@@ -1,5 +1,7 @@
 """Two small pictures, drawn with letters: the window's icon and the mouse driver's arrow."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 from bgi.memory.sdl import pygame
@@ -91,6 +93,17 @@ def arrow() -> Look:
 
 _BLACK, _WHITE, _TRANSPARENT, _INVERTED = "#", "o", ".", "i"
 _LOOKS = {(0, 0): _BLACK, (0, 1): _WHITE, (1, 0): _TRANSPARENT, (1, 1): _INVERTED}
+
+
+def to_masks(art: str) -> tuple[int, ...]:
+    """The masks of a drawing of 16x16 in black and white, as `from_masks` has them."""
+    bits = {look: masks for masks, look in _LOOKS.items()} | {" ": (1, 0)}
+    rows = [row.ljust(16) for row in art.strip("\n").splitlines()]
+    return tuple(
+        sum(bits[letter][mask] << 15 - x for x, letter in enumerate(row))
+        for mask in (0, 1)
+        for row in rows
+    )
 
 
 def from_masks(x: int, y: int, *words: int) -> Look:

@@ -6,7 +6,6 @@ program goes: at the end of its input, or when it finds itself adopted by anothe
 """
 
 import contextlib
-import math
 import os
 import queue
 import signal
@@ -21,17 +20,13 @@ from bgi.memory.sdl import pygame, twins
 from bgi.monitor.display import Display, free_name
 from bgi.monitor.inputs import Inputs
 from bgi.monitor.letters import at_moment
+from bgi.monitor.pace import IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
 from bgi.monitor.protocol import encode, receive
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.speaker import Speaker
 
-RATE = 60  # pictures a second at most, unless BGI_RATE says otherwise
-
 # Seconds.
-IDLE_FRAME = 1 / 30  # between two looks at a card that does not change
 NAP, IDLE_NAP = 0.004, 0.010  # between two looks for events; pygame's own wait looks every 0.001
-IDLE_AFTER = 0.5  # without event, order or picture, until the window is idle
-LATE = 0.002  # by which a wait may end late: the next picture makes up for it
 LINGER = 60  # at most, to finish a recording
 
 Inbox = queue.SimpleQueue[tuple[str, str]]
@@ -50,7 +45,7 @@ class Child:
         self._recorder: Recorder | None = None
         self._planned = ""  # the file that the program asked for
         self._parent = os.getppid()
-        self._frame = 1 / _rate()
+        self._frame = frame_seconds()
         self._asked = ""  # the number of the picture the program waits for
         self._free = 0.0  # no present before this moment
         self._lively = time.monotonic()  # when something has happened last
@@ -202,14 +197,6 @@ class Child:
         except OSError:
             self._over = True  # the program is gone: a broken pipe, on Windows an invalid argument
         return True
-
-
-def _rate() -> float:
-    try:
-        rate = float(os.environ.get("BGI_RATE", RATE))
-    except ValueError:
-        return RATE
-    return max(rate, 1) if math.isfinite(rate) else RATE
 
 
 def _listen(inbox: Inbox) -> None:

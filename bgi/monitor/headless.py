@@ -180,6 +180,10 @@ class Headless:
         """Remember the title."""
         self.title = title
 
+    def notebook_html(self) -> str:
+        """Nothing: a notebook shows a picture."""
+        return ""
+
     def linger(self) -> None:
         """Print what stands on the text screen: the terminal is all that there is to read it on."""
         words = spoken(self._card.frame()) if self._card is not None else ""

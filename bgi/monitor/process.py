@@ -19,10 +19,10 @@ PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 # package it takes the files that the window needs, not all that a program does; and pygame, which
 # asks for numpy if that is there, comes without: so the window opens in half of the time.
 _BOOT = """\
-import sys
+import importlib, sys
 from types import ModuleType
-package, path = sys.argv[1], sys.argv[2].split("\\n")
-del sys.argv[1:3]
+package, path, child = sys.argv[1], sys.argv[2].split("\\n"), sys.argv[3]
+del sys.argv[1:4]
 sys.path[:] = path
 for name, folder in ("bgi", ""), ("bgi.monitor", "/monitor"):
     sys.modules[name] = ModuleType(name)
@@ -30,8 +30,7 @@ for name, folder in ("bgi", ""), ("bgi.monitor", "/monitor"):
 sys.modules["numpy"] = None
 import bgi.memory.sdl
 del sys.modules["numpy"]
-from bgi.monitor.child import main
-main()
+importlib.import_module(child).main()
 """
 
 _FLAGS = {
@@ -43,16 +42,14 @@ _FLAGS = {
 }
 
 
-def start(card: Card) -> subprocess.Popen[bytes]:
-    """Start the window's process for a card; BGIError if that fails."""
-    if not FOUND:
-        raise BGIError("no window: pygame is not installed (pip install pygame)")
+def start(card: Card, child: str) -> subprocess.Popen[bytes]:
+    """Start the process for a card whose module is `child`; BGIError if that fails."""
     command = [
         sys.executable,
         *(flag for name, flag in _FLAGS.items() if getattr(sys.flags, name)),
         "-P",  # nothing of the current folder
         *("-W", "ignore"),  # the program has shown the warnings already
-        *("-c", _BOOT, PACKAGE, "\n".join(search_path()), card.handle, _folder()),
+        *("-c", _BOOT, PACKAGE, "\n".join(search_path()), child, card.handle, _folder()),
     ]
     try:
         return subprocess.Popen(
@@ -78,8 +75,8 @@ def search_path() -> list[str]:
     program = getattr(sys.modules.get("__main__"), "__file__", None)
     own = {_folder(), os.path.dirname(os.path.abspath(program)) if program else ""}
     found = [os.path.abspath(entry) for entry in sys.path if entry]
-    needed = os.path.dirname(os.path.dirname(os.path.abspath(pygame.__file__)))
-    return list(dict.fromkeys([*(entry for entry in found if entry not in own), needed]))
+    needed = [os.path.dirname(os.path.dirname(os.path.abspath(pygame.__file__)))] if FOUND else []
+    return list(dict.fromkeys([*(entry for entry in found if entry not in own), *needed]))
 
 
 def _folder() -> str:

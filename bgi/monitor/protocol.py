@@ -30,6 +30,9 @@ to the program            meaning
 ``recording``             something is being recorded: writing it will take its time
 ``recorded FAILURE``      the recording asked for is written, or what kept it from being
 ``closed``                the user has closed the window
+``address HOST PORT``     where a browser finds the page; more of it: `TOKEN`, and `wide`
+                          (or `local`) if other machines reach it
+``pages COUNT``           how many pages look
 ========================  ==============================================================
 """
 

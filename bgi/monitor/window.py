@@ -14,6 +14,7 @@ from collections.abc import Callable
 
 from bgi.errors import BGIError, TimeIsUp, WindowClosed
 from bgi.memory.card import CELL_BYTES, Card, Frame
+from bgi.memory.sdl import FOUND
 from bgi.monitor import moment
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import PIECE_SECONDS, KeyQueue
@@ -35,6 +36,11 @@ class Window:
     on. A window `beside` has the same keyboard. Raises BGIError when the window cannot be opened.
     """
 
+    child = "bgi.monitor.child"
+    """The module that its process runs."""
+    noun = "window"
+    """What messages call it."""
+
     def __init__(
         self,
         card: Card,
@@ -43,6 +49,8 @@ class Window:
         plan: Plan | None = None,
         beside: object = None,
     ) -> None:
+        if reason := self.missing():
+            raise BGIError(reason)
         self._card = card
         self._plan = plan or Plan()
         self.presents = 0  # how many pictures the window has put on the screen
@@ -60,21 +68,29 @@ class Window:
         self._asked = 0
         self._answered = 0
         self._end_seconds = END_SECONDS
-        self._process = start(card)
+        self._process = start(card, self.child)
         assert self._process.stdin and self._process.stdout
         self._input, self._output = self._process.stdin, self._process.stdout
         self._listener = threading.Thread(target=self._listen, name="bgi window", daemon=True)
         self._listener.start()
         try:
             self.set_title(title)
-            if not self._wait(lambda: self._ready, time.monotonic() + START_SECONDS):
-                raise BGIError(f"the window did not open within {START_SECONDS} seconds")
+            self._await_opening()
         except BaseException:
             self.close()
             raise
         self._follow_plan()
         if neighbour is None:
             play(self._plan.keys, self._keys)
+
+    @classmethod
+    def missing(cls) -> str:
+        """What keeps it from opening, in a line that helps; empty if nothing does."""
+        return "" if FOUND else "no window: pygame is not installed (pip install pygame)"
+
+    def _await_opening(self) -> None:
+        if not self._wait(lambda: self._ready, time.monotonic() + START_SECONDS):
+            raise BGIError(f"the {self.noun} did not open within {START_SECONDS} seconds")
 
     def _follow_plan(self) -> None:
         """Record, and end after some time, if that is planned."""
@@ -177,6 +193,10 @@ class Window:
         self._title = title
         self._send("title", title)
 
+    def notebook_html(self) -> str:
+        """Nothing: a notebook shows a picture."""
+        return ""
+
     def close(self) -> None:
         """Close the window; a second time does nothing. Never raises."""
         if os.getpid() != self._owner:
@@ -228,8 +248,8 @@ class Window:
                 self._hear(word, rest)
         status = self._process.wait()
         if status == 0:  # the word that it was closed did not fit into the pipe
-            self._lose(WindowClosed("the window was closed"))
-        self._lose(BGIError(f"the window process ended unexpectedly (exit status {status})"))
+            self._lose(WindowClosed(f"the {self.noun} was closed"))
+        self._lose(BGIError(f"the {self.noun} process ended unexpectedly (exit status {status})"))
 
     def _hear(self, word: str, rest: str) -> None:
         match word:
@@ -255,9 +275,9 @@ class Window:
                     self._ready = True
                     self._news.notify_all()
             case "failed":
-                self._lose(BGIError(f"no window: {rest}"))
+                self._lose(BGIError(f"no {self.noun}: {rest}"))
             case "closed":
-                self._lose(WindowClosed("the window was closed"))
+                self._lose(WindowClosed(f"the {self.noun} was closed"))
 
     def _lose(self, error: BGIError, tell: bool = True) -> None:
         """From now on every call raises `error`; only the first loss counts."""

@@ -237,7 +237,7 @@ def test_info(tmp_path: Path) -> None:
     done = run("--info", cwd=tmp_path, SDL_AUDIODRIVER="dummy")
     assert (done.returncode, done.stderr) == (0, "")
     lines = dict(line.split(maxsplit=1) for line in done.stdout.splitlines())
-    assert set(lines) >= {"bgi", "python", "numpy", "pygame", "pillow", "sound"}
+    assert set(lines) >= {"bgi", "python", "numpy", "pygame", "pillow", "websockets", "sound"}
     assert "(driver dummy)" in lines["display"]
     assert "TRIP" in lines["fonts"]
 
@@ -246,5 +246,5 @@ def test_info_without_a_display_or_a_sound_card(tmp_path: Path) -> None:
     variables = {"SDL_VIDEODRIVER": "nonsense", "SDL_AUDIODRIVER": "nonsense"}
     done = run("--info", cwd=tmp_path, **variables)
     assert (done.returncode, done.stderr) == (0, "")
-    assert "display   none: nonsense not available" in done.stdout
-    assert "sound     none" in done.stdout
+    assert "display     none: nonsense not available" in done.stdout
+    assert "sound       none" in done.stdout

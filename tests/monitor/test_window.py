@@ -20,7 +20,7 @@ import bgi.monitor
 from bgi.errors import BGIError, WindowClosed
 from bgi.memory.card import Card
 from bgi.memory.sdl import pygame
-from bgi.monitor import Headless, Monitor, Window, child, choose
+from bgi.monitor import Headless, Monitor, Window, choose, pace
 from bgi.monitor.child import Child
 from bgi.monitor.display import Display
 from bgi.monitor.idling import REST_SECONDS, Idling
@@ -295,14 +295,14 @@ def test_under_a_script_the_clock_of_a_window_begins_at_one_moment(
         ("100", 100),
         ("0.5", 1),
         ("-3", 1),
-        ("nan", child.RATE),
-        ("inf", child.RATE),
-        ("x", child.RATE),
+        ("nan", pace.RATE),
+        ("inf", pace.RATE),
+        ("x", pace.RATE),
     ],
 )
 def test_the_rate_of_pictures(monkeypatch: pytest.MonkeyPatch, given: str, rate: float) -> None:
     monkeypatch.setenv("BGI_RATE", given)
-    assert child._rate() == rate
+    assert pace.frame_seconds() == 1 / rate
 
 
 # Sound
