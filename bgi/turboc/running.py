@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import struct
 import sys
 from collections.abc import Callable, Sequence
 from types import TracebackType
@@ -12,6 +11,7 @@ from typing import Any
 
 from bgi.errors import BGIError
 from bgi.turboc.checker.checking import check
+from bgi.turboc.checker.folding import single
 from bgi.turboc.checker.headers import Headers
 from bgi.turboc.emitter.emit import Emitted, emit
 from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
@@ -29,17 +29,6 @@ DEEPEST = 20_000
 """Calls of functions within each other."""
 
 PREDEFINED = {"__TURBOC__": "0x401", "__MSDOS__": "1", "__LARGE__": "1"}
-
-
-def single(number: float) -> float:
-    """A number as a float of 32 bits holds it."""
-    try:
-        return float(_SINGLE.unpack(_SINGLE.pack(number))[0])
-    except OverflowError:
-        return math.copysign(math.inf, number)
-
-
-_SINGLE = struct.Struct("f")
 
 
 def remainder(left: int, right: int) -> int:

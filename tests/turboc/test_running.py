@@ -260,3 +260,23 @@ def test_brackets_around_a_conversion_are_no_cast(result):
 
 def test_a_c_file_may_hold_cplusplus(result):
     assert result("r = 3; for (int i = 0; i < 2; i++) { } r += i;", "class A { };") == 5
+
+
+def test_floats_are_computed_in_32_bits(result):
+    declared = "float a = 130, b = 180, t; int d = 180;"
+    assert result("t = a / b; r = 120 + t * d;", declared) == 250
+    assert result("t = a / b; r = 120 + t * (double) d;", declared) == 249
+    assert result("t = 0.1; r = (t == 0.1) * 10 + (t == 0.1f);", declared) == 1
+
+
+def test_restorecrtmode_behind_closegraph_does_nothing(tmp_path):
+    text = """
+        #include <graphics.h>
+        void main() {
+            int gd = DETECT, gm;
+            initgraph(&gd, &gm, ""); closegraph(); restorecrtmode();
+        }
+    """
+    program(tmp_path, text).run(Session(tmp_path / "trace", "A"))
+    lines = (tmp_path / "trace").read_text().splitlines()
+    assert lines[1:] == ["closegraph", "restorecrtmode", "end exit"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from bgi.turboc.checker.folding import fitted
 from bgi.turboc.checker.meaning import Meaning
 from bgi.turboc.checker.typed import Constant, Quoted, Value
 from bgi.turboc.checker.types import (
@@ -38,7 +39,8 @@ def whole_number(meaning: Meaning, node: nodes.IntLit) -> Value:
 
 def real_number(meaning: Meaning, node: nodes.FloatLit) -> Value:
     """A real number."""
-    return Constant(node.place, _REALS[node.suffix], node.value)
+    type_ = _REALS[node.suffix]
+    return Constant(node.place, type_, fitted(node.value, type_))
 
 
 def character(meaning: Meaning, node: nodes.CharLit) -> Value:

@@ -4,18 +4,30 @@ from __future__ import annotations
 
 import math
 import operator
+import struct
 from collections.abc import Callable
 from typing import Any
 
-from bgi.turboc.checker.types import FloatType, IntType, Type
+from bgi.turboc.checker.types import FLOAT, FloatType, IntType, Type
 
 Number = int | float
+
+
+_SINGLE = struct.Struct("f")
+
+
+def single(number: float) -> float:
+    """A number as a float of 32 bits holds it."""
+    try:
+        return float(_SINGLE.unpack(_SINGLE.pack(number))[0])
+    except OverflowError:
+        return math.copysign(math.inf, number)
 
 
 def fitted(number: Number, type_: Type) -> Number:
     """A number as a type holds it: whole ones lose their upper bits, real ones their fraction."""
     if isinstance(type_, FloatType):
-        return float(number)
+        return single(number) if type_ == FLOAT else float(number)
     assert isinstance(type_, IntType)
     whole = int(number) if math.isfinite(number) else 0
     bits = whole & (1 << type_.bits) - 1
@@ -49,9 +61,9 @@ def arithmetic(op: str, left: Number, right: Number, type_: Type) -> Number | No
     """The result of an operation; None if it has none, or is left to the run."""
     if op in ("/", "%") and not right:
         return None
-    if isinstance(type_, FloatType) and op == "/":
-        return left / right
     try:
+        if isinstance(type_, FloatType) and op == "/":
+            return fitted(left / right, type_)
         return fitted(_WHOLE[op](left, right), type_)
     except (OverflowError, TypeError):
         return None

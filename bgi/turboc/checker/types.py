@@ -209,7 +209,8 @@ def promoted(type_: IntType) -> IntType:
 def common(left: Type, right: Type) -> Type:
     """The type in which two numbers meet: the usual arithmetic conversions."""
     if isinstance(left, FloatType) or isinstance(right, FloatType):
-        return LONG_DOUBLE if LONG_DOUBLE in (left, right) else DOUBLE
+        real = [one for one in (left, right) if isinstance(one, FloatType)]
+        return max(real, key=lambda one: one.bits)
     assert isinstance(left, IntType) and isinstance(right, IntType)
     left, right = promoted(left), promoted(right)
     if left.bits != right.bits:

@@ -153,7 +153,8 @@ class ValueWriter(Objects):
     def _arithmetic(self, value: Arithmetic) -> str:
         op, left, right = value.op, value.left, value.right
         if isinstance(value.type, FloatType):
-            return f"({self.value(left)} {op} {self.value(right)})"
+            text = f"{self.value(left)} {op} {self.value(right)}"
+            return f"single({text})" if value.type == FLOAT else f"({text})"
         if op in ("+", "-", "*"):
             return f"({self.raw(left)} {op} {self.raw(right)})"
         if op in ("/", "%"):

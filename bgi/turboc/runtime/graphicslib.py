@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import bgi
+from bgi import current
 from bgi.turboc.runtime.binding import Function, characters, string
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.session import Session
@@ -31,7 +32,7 @@ void setactivepage(int page); void setvisualpage(int page); void outtext(text s)
 void outtextxy(int x, int y, text s); void settextjustify(int h, int v);
 void settextstyle(int font, int direction, int size); int textwidth(text s);
 void setusercharsize(int mx, int dx, int my, int dy); int textheight(text s);
-void closegraph(void); void restorecrtmode(void); void setgraphmode(int mode);
+void closegraph(void); void setgraphmode(int mode);
 int getgraphmode(void); int getmaxmode(void); void graphdefaults(void); int graphresult(void);
 unsigned imagesize(int l, int t, int r, int b); unsigned setgraphbufsize(unsigned size);
 void swapbuffers(void);
@@ -39,6 +40,7 @@ void swapbuffers(void);
 """Those that C and Python call alike."""
 
 OTHERS = """
+void restorecrtmode(void);
 void initgraph(int *gd, int *gm, text path); void detectgraph(int *gd, int *gm);
 void getmoderange(int driver, int *low, int *high); char *getmodename(int mode);
 char *getdrivername(void); char *grapherrormsg(int code); void getaspectratio(int *x, int *y);
@@ -87,6 +89,12 @@ class GraphicsLibrary:
         answer = bgi.initgraph(driver, mode, where.decode("cp437"))
         store((gd, gm), answer)
         self._note("initgraph", (driver, mode, where), answer)
+
+    def restorecrtmode(self) -> None:
+        """Where there are no graphics, behind closegraph(), nothing happens."""
+        self._note("restorecrtmode")
+        if current.loaded() is not None:
+            bgi.restorecrtmode()
 
     def detectgraph(self, gd: Pointer, gm: Pointer) -> None:
         answer = bgi.detectgraph()
