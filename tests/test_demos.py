@@ -1,6 +1,7 @@
 """Every demo is a test: it runs headless with scripted keys and ends, and its picture shows."""
 
 import ast
+import hashlib
 import os
 import re
 import subprocess
@@ -14,7 +15,7 @@ import pytest
 import bgi
 from bgi import current
 from gallery import menu
-from gallery.catalogue import NAMES, load
+from gallery.catalogue import C_NAMES, NAMES, load
 from gallery.command import main as command
 from gallery.pages import KEYS as KEYS_SHOWN
 from gallery.pages import MARGIN, Page, leaf_through, show
@@ -52,6 +53,17 @@ KEYS = {
     "spacewar": "+w +Up Wait300ms -w +a +Down Wait500ms -a Esc",
 }
 
+
+TRACES = {
+    "BALLS.C": "eb2b6f7c750d2d606b249886cddbd5eea1043ca2372581be234e0601c46b68f7",
+    "CLOCK.C": "8f94a1a37368cfc908c6a53a24a8001d055dcaded6025ff254ed3a797efb311d",
+    "PAINT.C": "de7cce2e712c2d37b818a705b0f19ee48858232128434d09dca6d15436ea6006",
+    "PLOTTER.C": "24e07fe5f4b08f99cbda845b1b243e6e9203214ae9e535415719340a7d310013",
+    "SNAKE.C": "ff35ba21055807431eb18651437315508d5365ee2f08908e6477f251b83555a7",
+}
+"""sha256 of what programs in C do, under script A, when gcc has compiled them with a library that
+writes down each call of it.
+"""
 
 STILL = ("hello", "tour", "paper")
 """The demos that show their picture and wait."""
@@ -130,6 +142,38 @@ class TestEveryDemo:
         assert f"`python demos/{demo.file.name}`" in row
         assert demo.summary in row
         assert demo.lesson in row.replace("`", "")
+
+
+class TestProgramsInC:
+    """The programs in demos/c: that they draw what they drew is in test_docs."""
+
+    @pytest.mark.parametrize("name", TRACES)
+    def test_does_call_by_call_what_it_does_compiled_by_gcc(self, name, tmp_path):
+        trace = tmp_path / "trace"
+        words = ["-m", "bgi", "--script", "A", "--trace", trace, load(name).file]
+        ran = run(words, tmp_path)
+        assert (ran.returncode, ran.stderr) == (0, "")
+        assert hashlib.sha256(trace.read_bytes()).hexdigest() == TRACES[name]
+
+    def test_runs_from_the_gallery(self, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", "End Enter Esc Wait2s Esc Esc")
+        assert command([]) == 0
+
+    def test_runs_by_its_name_in_any_case(self, monkeypatch):
+        monkeypatch.setenv("BGI_KEYS", "x")
+        assert command(["clock.c"]) == 0
+
+    def test_has_the_endings_of_its_day(self):
+        assert all(re.fullmatch(r"[A-Z]{1,8}\.(C|CPP)", name) for name in C_NAMES)
+
+    @pytest.mark.parametrize("name", C_NAMES)
+    def test_is_shown_and_explained_in_the_folder(self, name):
+        text = (DEMOS / "README.md").read_text("utf-8")
+        (row,) = (row for row in text.splitlines() if f"(c/{name})" in row)
+        assert f"../docs/pictures/{name}.png" in row
+        assert f"`python -m bgi demos/c/{name}`" in row
+        assert load(name).summary in row
+        assert load(name).lesson in row
 
 
 class TestFolder:
@@ -232,7 +276,7 @@ class TestWheel:
         folder.mkdir()
         ran = run(["-m", "bgi.demos", "--save", "."], folder, PYTHONPATH=str(installed))
         assert (ran.returncode, ran.stderr) == (0, "")
-        assert ran.stdout.split() == [f"{name}.png" for name in NAMES]
+        assert ran.stdout.split() == [f"{name}.png" for name in menu.CHOICES]
         for file in folder.iterdir():
             assert np.array_equal(read_indices(file), read_indices(PICTURES / file.name))
 
@@ -243,7 +287,9 @@ class TestMenu:
         [
             ("Enter", 0),
             ("Down Down Enter", 2),
-            ("Up Enter", len(NAMES) - 1),
+            ("Up Enter", len(menu.CHOICES) - 1),
+            ("Right Enter", menu.COLUMN),
+            ("Down Left Right Enter", 1),
             ("End Down Enter", 0),
             ("Down Home Enter", 0),
             ("2", 1),
@@ -257,13 +303,13 @@ class TestMenu:
 
     def test_shows_another_picture_for_every_choice(self, monkeypatch):
         pictures = set()
-        for place in range(len(NAMES)):
+        for place in range(len(menu.CHOICES)):
             monkeypatch.setenv("BGI_KEYS", "Esc")
             bgi.closegraph()
             menu.choose(place)
             card = current.screen.card
             pictures.add(bytes(card.page(card.visible)))
-        assert len(pictures) == len(NAMES)
+        assert len(pictures) == len(menu.CHOICES)
 
 
 class TestCommand:
@@ -295,13 +341,15 @@ class TestCommand:
     def test_lists_the_demos(self, capsys):
         assert command(["--list"]) == 0
         lines = capsys.readouterr().out.splitlines()
-        assert [line.split()[0] for line in lines] == list(NAMES)
-        assert all(load(name).summary in line for name, line in zip(NAMES, lines, strict=True))
+        assert [line.split()[0] for line in lines] == list(menu.CHOICES)
+        assert all(
+            load(name).summary in line for name, line in zip(menu.CHOICES, lines, strict=True)
+        )
 
     def test_saves_every_picture(self, tmp_path, capsys):
         folder = tmp_path / "new" / "folder"
         assert command(["--save", str(folder)]) == 0
-        files = [folder / f"{name}.png" for name in NAMES]
+        files = [folder / f"{name}.png" for name in menu.CHOICES]
         assert capsys.readouterr().out.splitlines() == list(map(str, files))
         assert all(file.read_bytes().startswith(b"\x89PNG") for file in files)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from bgi.memory.sdl import pygame
-from gallery.catalogue import NAMES
+from gallery.catalogue import C_NAMES, NAMES
 from tools import a_to_z, pictures
 
 ROOT = Path(__file__).parents[1]
@@ -51,6 +51,11 @@ def test_the_picture_of_a_demo_is_what_it_draws(tmp_path, name):
     assert_drawn(pictures.draw_demo(name, tmp_path), tmp_path)
 
 
+@pytest.mark.parametrize("name", C_NAMES)
+def test_the_picture_of_a_program_in_c_is_what_it_draws(tmp_path, name):
+    assert_drawn(pictures.shoot_program(name, tmp_path), tmp_path)
+
+
 def test_the_moving_picture_is_what_is_recorded(tmp_path):
     image = pytest.importorskip("PIL.Image", reason="needs Pillow")
     (name,) = pictures.record_demo(tmp_path)
@@ -65,7 +70,9 @@ def test_the_moving_picture_is_what_is_recorded(tmp_path):
 
 
 def test_every_picture_has_its_code():
-    drawn = [picture for _, picture in BLOCKS if picture] + [f"{name}.png" for name in NAMES]
+    drawn = [picture for _, picture in BLOCKS if picture] + [
+        f"{name}.png" for name in NAMES + C_NAMES
+    ]
     drawn.append(f"{pictures.MOVING}.gif")
     assert sorted(drawn) == sorted(file.name for file in pictures.PICTURES.iterdir())
 

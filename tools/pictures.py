@@ -24,7 +24,7 @@ import bgi
 import demos  # noqa: F401  (with it, its helpers are found)
 from bgi import current
 from bgi.monitor.picture import shot
-from gallery.catalogue import NAMES, load
+from gallery.catalogue import C_NAMES, NAMES, load
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -108,6 +108,12 @@ def draw_demo(name: str, folder: Path) -> list[str]:
     return [f"{name}.png"]
 
 
+def shoot_program(name: str, folder: Path) -> list[str]:
+    """Save the picture of a program in C; returns its name."""
+    load(name).save(folder / f"{name}.png")
+    return [f"{name}.png"]
+
+
 def record_demo(folder: Path) -> list[str]:
     """Record the demo that the README shows moving; needs Pillow. Returns the recording's name."""
     name = f"{MOVING}.gif"
@@ -139,6 +145,7 @@ def main(folder: Path = PICTURES) -> None:
     os.environ.update(BGI_MONITOR="none", BGI_KEYS=KEYS)
     drawn = [name for page in pages() for name in draw_page(page, folder)]
     drawn += [name for demo in NAMES for name in draw_demo(demo, folder)]
+    drawn += [name for program in C_NAMES for name in shoot_program(program, folder)]
     drawn += record_demo(folder)
     print(f"{len(drawn)} pictures")
 

@@ -1,7 +1,7 @@
 /* CLOCK.C: a clock with hands, that ticks.
 
    What it shows: gettime() and getdate() of dos.h ask the PC's clock. The
-   hands are polygons that are painted over in the color of the dial; the
+   hands are polygons that are painted over in the colour of the dial; the
    second hand is drawn with XOR_PUT, which the same call takes away again.
 
    Any key ends. */

@@ -4,7 +4,7 @@
    0 looks for a mouse, 1 and 2 show and hide the pointer, 3 tells the
    buttons and the place; the pointer is hidden while something is drawn.
 
-   The left button paints, and takes a color or a tool below the picture;
+   The left button paints, and takes a colour or a tool below the picture;
    the right one fills an area. Esc ends. */
 
 #include <graphics.h>

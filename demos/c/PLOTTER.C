@@ -6,7 +6,7 @@
    the front, so what is near hides what is far.
 
    1 2 3 4 choose the function, left and right turn the x axis, up and down
-   change the height, M draws a mesh or colors, Esc ends. */
+   change the height, M draws a mesh or colours, Esc ends. */
 
 #include <graphics.h>
 #include <stdlib.h>

@@ -2,6 +2,7 @@
 
 import ast
 import os
+import re
 import runpy
 import subprocess
 import sys
@@ -11,12 +12,16 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import ModuleType
 
-from bgi import VGA, VGAHI, readimagefile
+from bgi import VGA, VGAHI, initgraph, readimagefile, writeimagefile
 from bgi.memory import imagefile
+from bgi.turboc.command import run_c
 
 FOLDER = Path(__file__).parents[1]
-MOMENT = "0.6s"
-"""How long a plain program runs until its picture is taken."""
+NO_KEY = "Wait3600s x"
+"""The keys of a program whose picture is taken: it begins at noon, and nobody ends it."""
+
+MOMENTS = {"CLOCK.C": "637s", "SNAKE.C": "2s", "SHAPES.CPP": "1s"}
+"""How long plain programs run until their picture is taken, where it is not 0.6 s."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +51,11 @@ class Demo:
         return "\ndef draw(" not in self._text
 
     @property
+    def moment(self) -> str:
+        """How long it runs until its picture is taken, for a plain program."""
+        return MOMENTS.get(self.name, "0.6s")
+
+    @property
     def mode(self) -> tuple[int, int]:
         """The driver and the mode that its picture is made for."""
         return (VGA, VGAHI) if self.plain else self.module().MODE
@@ -66,16 +76,26 @@ class Demo:
         else:
             self.module().draw()
 
+    def save(self, picture: Path) -> None:
+        """Draw it where nobody looks, and write what it drew."""
+        initgraph(*self.mode)
+        self.draw()
+        writeimagefile(picture)
+
     def _draw_what_it_shows(self) -> None:
-        """Let it run for a moment where nobody looks, and show what it has drawn by then."""
-        own = {name: value for name, value in os.environ.items() if not name.startswith("BGI_")}
+        """Show what it has drawn after a moment."""
         with TemporaryDirectory() as folder:
             picture = Path(folder) / "picture.png"
-            plan = {"BGI_MONITOR": "none", "BGI_AFTER": MOMENT, "BGI_SHOT": str(picture)}
-            command = [sys.executable, "-m", "bgi", str(self.file)]
-            subprocess.run(command, env=own | plan, check=True)
+            self.shoot(picture)
             height, width = imagefile.load(picture).pixels.shape[:2]
             readimagefile(picture, 0, 0, width - 1, height - 1)
+
+    def shoot(self, picture: Path) -> None:
+        """Let it run for a moment where nobody looks, and write what is on its screen then."""
+        own = {name: value for name, value in os.environ.items() if not name.startswith("BGI_")}
+        plan = {"BGI_MONITOR": "none", "BGI_KEYS": NO_KEY, "BGI_SHOT": str(picture)}
+        command = [sys.executable, "-m", "bgi", "--after", self.moment, str(self.file)]
+        subprocess.run(command, env=own | plan, check=True, stderr=subprocess.DEVNULL)
 
     def _paragraph(self, number: int) -> str:
         docstring = ast.get_docstring(ast.parse(self._text)) or ""
@@ -86,11 +106,50 @@ class Demo:
         return self.file.read_text("utf-8")
 
 
+class CProgram(Demo):
+    """A program for Turbo C, in the folder c: c/CLOCK.C is called CLOCK.C."""
+
+    @property
+    def name(self) -> str:
+        """What it is called: its file, as DOS wrote it."""
+        return self.file.name
+
+    @property
+    def plain(self) -> bool:
+        """It is a program from top to bottom."""
+        return True
+
+    def run(self) -> None:
+        """Run it as `python -m bgi FILE` does."""
+        run_c(str(self.file))
+
+    def save(self, picture: Path) -> None:
+        """Write what is on its screen after a moment, in the size of its mode."""
+        self.shoot(picture)
+
+    @property
+    def lesson(self) -> str:
+        """What it shows, and its keys."""
+        return f"{self._paragraph(1)} {self._paragraph(2)}"
+
+    def _paragraph(self, number: int) -> str:
+        """A paragraph of the comment at its head, without its name."""
+        head = re.split(r"\*/|\n#", self._text)[0]
+        text = re.sub(r"(?m)^(/\*|//)? *", "", head).split("\n\n")[number]
+        text = " ".join(text.split()).removeprefix(f"{self.name}: ")
+        return text[:1].upper() + text[1:]
+
+
 _DEMOS = {demo.name: demo for demo in map(Demo, sorted(FOLDER.glob("[0-9][0-9]_*.py")))}
+_IN_C = {demo.name: demo for demo in map(CProgram, sorted((FOLDER / "c").glob("*.C*")))}
+
 NAMES = tuple(_DEMOS)
 """What the demos are called, in the order in which to learn from them."""
 
+C_NAMES = tuple(_IN_C)
+"""What the programs in C are called."""
+
 
 def load(name: str) -> Demo:
-    """The demo of that name."""
-    return _DEMOS[name]
+    """The demo or the program in C of that name."""
+    return (_DEMOS | _IN_C)[name]

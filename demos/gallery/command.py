@@ -7,17 +7,18 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from bgi import BGIError, NobodyThere, WindowClosed, closegraph, initgraph, writeimagefile
+from bgi import BGIError, NobodyThere, WindowClosed, closegraph
 from bgi.machine import display_exists
 from gallery import menu
-from gallery.catalogue import NAMES, load
+from gallery.catalogue import load
 from gallery.foreign import explain
+from gallery.menu import CHOICES
 
 
 def main(arguments: Sequence[str] | None = None, prog: str = "python -m demos") -> int:
     """Run the command, which is called `prog`; returns the process's exit code."""
     options = _parser(prog).parse_args(arguments)
-    names = (options.name,) if options.name else NAMES
+    names = (options.name,) if options.name else CHOICES
     if options.list:
         for name in names:
             print(f"{name:13}{load(name).summary}")
@@ -56,10 +57,10 @@ def _parser(prog: str) -> argparse.ArgumentParser:
     parser.add_argument(
         "name",
         nargs="?",
-        type=_without_number,
-        choices=NAMES,
+        type=_called,
+        choices=CHOICES,
         metavar="NAME",
-        help=f"run one demo: {', '.join(NAMES)}",
+        help=f"run one demo: {', '.join(CHOICES)}",
     )
     parser.add_argument("--list", action="store_true", help="list the demos")
     parser.add_argument(
@@ -68,16 +69,16 @@ def _parser(prog: str) -> argparse.ArgumentParser:
     return parser
 
 
-def _without_number(name: str) -> str:
-    """The name of a demo, which may be given as its file: 02_ball, 02_ball.py."""
-    return re.sub(r"^\d+_|\.py$", "", name)
+def _called(name: str) -> str:
+    """The name of a demo, which may be given as its file: 02_ball, 02_ball.py, clock.c."""
+    return name.upper() if name.upper() in CHOICES else re.sub(r"^\d+_|\.py$", "", name)
 
 
 def _gallery() -> None:
     """The menu, the demo chosen, the menu again."""
     place = menu.choose(0)
     while place is not None:
-        load(NAMES[place]).run()
+        load(CHOICES[place]).run()
         place = menu.choose(place)
 
 
@@ -86,9 +87,6 @@ def _save(names: Sequence[str], folder: Path) -> None:
     os.environ["BGI_MONITOR"] = "none"
     folder.mkdir(parents=True, exist_ok=True)
     for name in names:
-        demo = load(name)
-        initgraph(*demo.mode)
-        demo.draw()
         file = folder / f"{name}.png"
-        writeimagefile(file)
+        load(name).save(file)
         print(file)

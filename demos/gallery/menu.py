@@ -4,19 +4,21 @@ from functools import cache
 from textwrap import wrap
 
 from bgi import *
-from gallery.catalogue import NAMES, Demo, load
+from gallery.catalogue import C_NAMES, NAMES, Demo, load
 
-ENTER, ESC, UP, DOWN, HOME, END = 13, 27, 72, 80, 71, 79
+ENTER, ESC, UP, DOWN, LEFT, RIGHT, HOME, END = 13, 27, 72, 80, 75, 77, 71, 79
 MARGIN, TOP = 16, 72
-ROW = min(42, 384 // len(NAMES))
-LIST_WIDTH = 264
+CHOICES = NAMES + C_NAMES
+COLUMN = (len(CHOICES) + 1) // 2
+ROW = min(42, 384 // COLUMN)
+COLUMN_WIDTH = 132
 PREVIEW_LEFT, PREVIEW_WIDTH, PREVIEW_HEIGHT = 303, 320, 240
 LABELS = "123456789abcdefghijklmnopqrstuvwxyz"
-KEYS = "↑ ↓ choose    Enter, or its key, start    Esc end"
+KEYS = "↑ ↓ ← → choose    Enter, or its key, start    Esc end"
 
 
 def choose(selected: int) -> int | None:
-    """Show the menu until a demo is chosen; returns its place in NAMES, or None for the end."""
+    """Show the menu until a demo is chosen; returns its place in CHOICES, or None for the end."""
     initgraph(VGA, VGAHI)
     setactivepage(1)
     while True:
@@ -27,15 +29,20 @@ def choose(selected: int) -> int | None:
             return None
         if key == ENTER:
             return selected
-        if 0 <= LABELS.find(chr(key)) < len(NAMES):
+        if 0 <= LABELS.find(chr(key)) < len(CHOICES):
             return LABELS.find(chr(key))
         if key == 0:  # an arrow: its second half follows
-            moves = {UP: selected - 1, DOWN: selected + 1, HOME: 0, END: len(NAMES) - 1}
-            selected = moves.get(getch(), selected) % len(NAMES)
+            selected = _moved(selected, getch())
+
+
+def _moved(selected: int, scan: int) -> int:
+    """The place that a key leads to; beyond the last comes the first."""
+    steps = {UP: -1, DOWN: 1, LEFT: -COLUMN, RIGHT: COLUMN, HOME: -selected, END: -selected - 1}
+    return (selected + steps.get(scan, 0)) % len(CHOICES)
 
 
 def _draw(selected: int) -> None:
-    demo = load(NAMES[selected])
+    demo = load(CHOICES[selected])
     thumbnail = _preview(demo)
     graphdefaults()
     cleardevice()
@@ -44,7 +51,7 @@ def _draw(selected: int) -> None:
     _write(MARGIN, 22, "graphics.h", YELLOW)
     settextstyle(DEFAULT_FONT, HORIZ_DIR, 1)
     _write(PREVIEW_LEFT, 36, "Borland's graphics library in Python", LIGHTGRAY)
-    for place in range(len(NAMES)):
+    for place in range(len(CHOICES)):
         _entry(place, place == selected)
     putimage(PREVIEW_LEFT, TOP, thumbnail, COPY_PUT)
     rectangle(
@@ -61,14 +68,15 @@ def _draw(selected: int) -> None:
 
 def _entry(place: int, is_selected: bool) -> None:
     """One line of the list: the key that starts the demo, and its name."""
-    left, top = MARGIN, TOP + place * ROW
+    column, row = divmod(place, COLUMN)
+    left, top = MARGIN + column * (COLUMN_WIDTH + 4), TOP + row * ROW
     if is_selected:
         setfillstyle(SOLID_FILL, BLUE)
-        bar(left, top, left + LIST_WIDTH - 1, top + ROW - 7)
-        rectangle(left, top, left + LIST_WIDTH - 1, top + ROW - 7, LIGHTCYAN)
+        bar(left, top, left + COLUMN_WIDTH - 1, top + ROW - 7)
+        rectangle(left, top, left + COLUMN_WIDTH - 1, top + ROW - 7, LIGHTCYAN)
     middle = top + ROW // 2 - 7
-    _write(left + 12, middle, LABELS[place], YELLOW)
-    _write(left + 36, middle, NAMES[place], WHITE if is_selected else LIGHTGRAY)
+    _write(left + 6, middle, LABELS[place], YELLOW)
+    _write(left + 24, middle, CHOICES[place], WHITE if is_selected else LIGHTGRAY)
 
 
 def _write(x: int, y: int, text: str, color: int) -> None:
