@@ -92,8 +92,10 @@ class Page(Strokes):
             and y + bottom <= self._bottom
         ):
             pixels = self.flat[(y + top) * self.width + x + left :]
+            if type(color) is int:
+                color = self.numbers[color]
             if xor:
-                pixels[place] ^= np.array(color, pixels.dtype)  # faster than by an int
+                pixels[place] ^= color
             else:
                 pixels[place] = color
             return True

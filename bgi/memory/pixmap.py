@@ -22,6 +22,24 @@ Pixels = NDArray[Any]
 _PIXEL: dict[int, np.dtype[Any]] = {1: np.dtype(np.uint8), 4: np.dtype("<u4")}
 
 
+class Numbers(dict[int, Pixels]):
+    """Numbers for pixels as arrays of no dimensions: numpy takes them sooner than ints."""
+
+    MOST = 256
+    """As many as one byte can be; of RGB colours the latest are kept."""
+
+    def __init__(self, pixel: np.dtype[Any]) -> None:
+        """None yet, of that type."""
+        super().__init__()
+        self._pixel = pixel
+
+    def __missing__(self, number: int) -> Pixels:
+        if len(self) >= self.MOST:
+            self.clear()
+        made = self[number] = np.array(number, self._pixel)
+        return made
+
+
 class Pixmap:
     """The pixels of one screen, and the box that drawing is clipped to."""
 
@@ -35,6 +53,7 @@ class Pixmap:
         self.height = height
         self.flat: Pixels = np.frombuffer(memory, dtype=_PIXEL[pixel_bytes])
         self.array = self.flat.reshape(height, width)
+        self.numbers = Numbers(self.flat.dtype)
         self._pixels = self.array.data
         self._row = self.flat.data
         self._surface = backend.surface(memory, width, height, pixel_bytes)

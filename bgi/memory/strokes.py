@@ -101,9 +101,9 @@ class Strokes(Areas):
         if style is not SOLID:
             place = place[style.upto(n)]
         if xor:  # no pixel occurs twice
-            self.flat[place] ^= np.array(color, self.flat.dtype)
+            self.flat[place] ^= self.numbers[color]
         else:
-            self.flat[place] = color
+            self.flat[place] = self.numbers[color]
 
     def _put_evenly(
         self, first: int, step: int, n: int, color: int, style: Dashes, xor: bool
@@ -113,12 +113,12 @@ class Strokes(Areas):
         if style is not SOLID:
             place = style.upto(n)
             if xor:
-                pixels[place] ^= np.array(color, pixels.dtype)
+                pixels[place] ^= self.numbers[color]
             else:
                 pixels[place] = color
         elif xor:
             pixels = pixels[: n + 1]
-            pixels ^= np.array(color, pixels.dtype)
+            pixels ^= self.numbers[color]
         else:
             pixels[: n + 1] = color
 
@@ -154,7 +154,7 @@ class Strokes(Areas):
         if top > bottom:
             top, bottom = bottom, top
         box = self.array[top : bottom + 1, left : right + 1]
-        ink = np.array(color, box.dtype)
+        ink = self.numbers[color]
         for sides in (box[:: bottom - top], box[:, :: right - left]):
             np.bitwise_xor(sides, ink, sides)
 

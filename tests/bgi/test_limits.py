@@ -17,8 +17,10 @@ from bgi.fonts.lettering import Lettering, letter
 from bgi.fonts.lettering import text as whole_text
 from bgi.graphics import Graphics
 from bgi.kernel.arguments import MAX_DIMENSIONS, MAX_NUMBERS
+from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL
 from bgi.memory.card import MAX_SIDE
+from bgi.memory.pixmap import Numbers
 from bgi.raster import ellipses
 from bgi.raster.kept import Kept
 from bgi.raster.lines import trace_many
@@ -321,3 +323,13 @@ def test_the_answer_of_a_detecting_function_is_a_number(answer: object) -> None:
     with pytest.raises((TypeError, ValueError), match=r"^detect's answer must be a "):
         bgi.initgraph()
     assert bgi.getmaxx() == 639
+
+
+def test_the_numbers_kept_for_pixels_are_bounded_in_a_window_of_all_colours() -> None:
+    screen = Graphics(window(32, 32))
+    for red in range(256):
+        for green in range(3):
+            screen.setcolor(bgi.COLOR(red, green, 1))
+            screen.circle(16, 16, 5)
+            assert screen.getpixel(21, 16) == bgi.COLOR(red, green, 1)
+    assert 0 < len(screen.page.numbers) <= Numbers.MOST
