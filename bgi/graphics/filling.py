@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bgi.constants import EMPTY_FILL, USER_FILL, grError
 from bgi.graphics.pen import Pen
-from bgi.kernel.arguments import CHUNK, Number, Numbers, length, polygon_points, whole
+from bgi.kernel.arguments import Number, Numbers, length, polygon_points, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
 from bgi.raster.patterns import EMPTY_ROWS
@@ -18,6 +18,9 @@ from bgi.raster.polygons import Point, Rows
 from bgi.raster.shapes import MOST_CORNERS, SHAPES
 from bgi.raster.spans import NO_SPANS
 from bgi.settings import fillsettingstype
+
+POLYGONS = 4096
+"""Polygons worked on at a time: the arrays of their sides fit into the processor's cache."""
 
 
 class Filling(Pen):
@@ -163,8 +166,8 @@ class Filling(Pen):
             for one, shade, ink in zip(corners.tolist(), fills, colors, strict=True):
                 self._fill_polygon(self._shifted(one), int(shade), int(ink))
         else:
-            for start in range(0, len(corners), CHUNK):
-                part = slice(start, start + CHUNK)
+            for start in range(0, len(corners), POLYGONS):
+                part = slice(start, start + POLYGONS)
                 self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
