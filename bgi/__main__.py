@@ -20,6 +20,7 @@ from types import ModuleType, TracebackType
 
 from bgi import __version__, current
 from bgi.fonts import DATA
+from bgi.graphics.slow import parse_rate
 from bgi.kernel import hints
 from bgi.machine import display_exists
 from bgi.memory.sdl import FOUND, pygame, quietly, twins
@@ -37,6 +38,8 @@ VARIABLES = {
     "after": "BGI_AFTER",
     "record": "BGI_RECORD",
     "open": "BGI_WEB_OPEN",
+    "slow": "BGI_SLOW",
+    "step": "BGI_STEP",
 }
 """The options that are for the program's monitor."""
 
@@ -123,6 +126,12 @@ def _parser() -> argparse.ArgumentParser:
         "--console", action="store_true", help="print and input on the screen, as printf and scanf"
     )
     parser.add_argument("--record", metavar="FILE.gif", help="write all that is on the screen")
+    parser.add_argument(
+        "--slow", type=_rate, metavar="500", help="set so many pixels a second, to be watched"
+    )
+    parser.add_argument(
+        "--step", action="store_true", help="wait for a key after each call, and say its line"
+    )
     _add_c(parser)
     parser.add_argument("--info", action="store_true", help="say what this machine has, and end")
     parser.add_argument("--version", action="version", version=f"bgi {__version__}")
@@ -164,6 +173,13 @@ def _script(text: str) -> str:
     except ValueError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
     return text
+
+
+def _rate(text: str) -> int:
+    try:
+        return parse_rate(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error).partition("; ")[2]) from None
 
 
 def _seconds(text: str) -> float:

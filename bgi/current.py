@@ -19,6 +19,7 @@ from bgi.console.crt import Crt
 from bgi.constants import ALL_WINDOWS, C80, CURRENT_WINDOW, NO_CURRENT_WINDOW
 from bgi.errors import BGIError, TimeIsUp
 from bgi.graphics import Graphics
+from bgi.graphics.slow import Slow, parse_rate
 from bgi.graphics.strict import Strict
 from bgi.kernel.modes import GraphicsMode
 from bgi.kernel.state import KERNEL
@@ -233,6 +234,7 @@ def open_window(mode: GraphicsMode, title: str = TITLE) -> int:
 def _open_adapter(mode: GraphicsMode | None, title: str = TITLE) -> Adapter:
     """Open a window in a graphics mode, or in the usual text mode; make it the current one."""
     _follow_program()
+    _begin_slowly()
     new = next(n for n in range(len(_open) + 1) if n not in _open)
     card = _card_for(mode)
     beside = next((other.monitor for other in _open.values()), None)
@@ -262,6 +264,14 @@ def _card_for(mode: GraphicsMode | None) -> Card:
 @functools.cache  # once is enough
 def _follow_program() -> None:
     follow_program(end, close_screen)
+
+
+@functools.cache
+def _begin_slowly() -> None:
+    """Draw slowly if the environment asks for it."""
+    rate, stepping = os.environ.get("BGI_SLOW", ""), bool(os.environ.get("BGI_STEP"))
+    if rate or stepping:
+        be_slow(parse_rate(rate or "0"), stepping)
 
 
 def end() -> None:
@@ -325,13 +335,26 @@ def be_strict(on: bool) -> None:
     _aim()
 
 
+def be_slow(rate: int, stepping: bool) -> tuple[int, bool]:
+    """Draw so many pixels a second, 0 for full speed; returns what was so before."""
+    pace = KERNEL.pace
+    before = pace.rate, pace.stepping
+    pace.rate, pace.stepping = rate, stepping
+    _aim()
+    return before
+
+
 def _aim() -> None:
     """Have the calls reach what belongs to the current screen."""
     global screen, crt
     here = _open.get(number)
     target = here.reached if here else _NOT_LOADED
-    strict = KERNEL.result.strict and isinstance(target, Graphics)
-    screen = cast(Graphics, Strict(target)) if strict else target
+    if isinstance(target, Graphics):
+        if KERNEL.pace.is_slow:
+            target = cast(Graphics, Slow(target))
+        if KERNEL.result.strict:
+            target = cast(Graphics, Strict(target))
+    screen = target
     crt = here.crt if here and not here.lost else None
 
 

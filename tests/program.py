@@ -35,7 +35,14 @@ def state() -> tuple[object, ...]:
         *(bgi.gettextsettings(), bgi.textwidth("m"), bgi.textheight("m"), bgi.getarccoords()),
         *(bgi.getaspectratio(), bgi.getactivepage(), bgi.getvisualpage(), bgi.getgraphmode()),
         *(bgi.getcurrentwindow(), mouse.position(), mouse.buttons()),
-        *(KERNEL.result.strict, KERNEL.bufsize, KERNEL.seed, KERNEL.user_scale),
+        *(
+            KERNEL.pace.rate,
+            KERNEL.pace.stepping,
+            KERNEL.result.strict,
+            KERNEL.bufsize,
+            KERNEL.seed,
+            KERNEL.user_scale,
+        ),
         *(tuple(KERNEL.fonts._names), tuple(KERNEL.drivers._installed)),
         KERNEL.result._code,
     )

@@ -28,7 +28,7 @@ from bgi.kernel.state import KERNEL
 # fmt: off
 __all__ = [
     "detectgraph", "initgraph", "closegraph", "setgraphmode", "restorecrtmode", "getmoderange",
-    "graphresult", "grapherrormsg", "strict",
+    "graphresult", "grapherrormsg", "strict", "slow",
     "installuserdriver", "registerbgidriver", "registerfarbgidriver",
     "installuserfont", "registerbgifont", "registerfarbgifont",
     "setgraphbufsize", "_graphgetmem", "_graphfreemem",
@@ -173,6 +173,29 @@ def strict(on: bool = True) -> ExitStack:
     current.be_strict(flag("on", on))
     after = ExitStack()
     after.callback(current.be_strict, before)
+    return after
+
+
+def slow(pixels_a_second: Number = 1000, step: bool = False) -> ExitStack:
+    """Set everything pixel by pixel from now on, slowly enough to watch.
+
+    Args:
+        pixels_a_second: how fast; 0 for full speed again.
+        step: whether each call that draws waits for a key when it is done, and says which line of
+            the program it was, on the terminal and in the window's title. Escape goes on without.
+
+    Pixels come in the order in which the algorithm sets them: lines from their first end, circles
+    by octants, areas row by row, floods as they spread. What a call does not change is not seen
+    again, and drawing on a hidden page is not slowed. In `with slow(500):` only the block is slow.
+    `BGI_SLOW=500`, or `python -m bgi --slow 500 PROGRAM.py`, does it for a whole program.
+    ValueError for a negative number. Source: this package.
+    """
+    rate = whole("pixels_a_second", pixels_a_second)
+    if rate < 0:
+        raise ValueError(f"pixels_a_second must be 0 or more, not {brief(rate)}")
+    before = current.be_slow(rate, flag("step", step))
+    after = ExitStack()
+    after.callback(current.be_slow, *before)
     return after
 
 

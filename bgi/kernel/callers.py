@@ -1,6 +1,8 @@
-"""Which call of ours a program has made: for the words of an error."""
+"""Which call of ours a program has made, and where: for errors, and for learners."""
 
 import inspect
+import linecache
+import os
 from types import FrameType
 
 
@@ -12,6 +14,18 @@ def call() -> tuple[str, dict[str, object]]:
     assert outer is not None
     names = inspect.getargs(outer.f_code).args
     return outer.f_code.co_name, {name: outer.f_locals[name] for name in names if name != "self"}
+
+
+def line() -> str:
+    """Which line of the program has called: its file, its number, and what stands there."""
+    frame = inspect.currentframe()
+    while frame is not None and _is_ours(frame):
+        frame = frame.f_back
+    if frame is None:
+        return ""
+    file = frame.f_code.co_filename
+    source = linecache.getline(file, frame.f_lineno, frame.f_globals).strip()
+    return f"{os.path.basename(file)}:{frame.f_lineno}: {source}"
 
 
 def _is_ours(frame: FrameType) -> bool:

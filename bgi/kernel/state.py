@@ -4,6 +4,8 @@ closegraph() leaves it alone. It is always reached through `KERNEL`, as in `KERN
 `KERNEL.reset()` makes all of it new: a test begins with that.
 """
 
+from dataclasses import dataclass
+
 from bgi.constants import (
     grError,
     grFileNotFound,
@@ -78,6 +80,23 @@ class Result:
         return sentence.format(driver=self.driver_file, font=self.font_file)
 
 
+@dataclass
+class Pace:
+    """How fast everything is drawn: see `bgi.slow`."""
+
+    rate: int = 0
+    """Pixels a second; 0: as fast as can be."""
+    stepping: bool = False
+    """Whether each call waits for a key."""
+    owed: float = 0.0
+    """Seconds that have not been waited for yet."""
+
+    @property
+    def is_slow(self) -> bool:
+        """Whether there is anything to watch."""
+        return self.rate > 0 or self.stepping
+
+
 class Kernel:
     """The error code, the tables of fonts and drivers, and what survives initgraph()."""
 
@@ -87,6 +106,7 @@ class Kernel:
     def reset(self) -> None:
         """Everything as it is when a program begins."""
         self.result = Result()
+        self.pace = Pace()
         self.fonts = FontTable()
         self.drivers = DriverTable()
         self.arc = 0, 0, 0, 0, 0, 0

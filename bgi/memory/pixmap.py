@@ -5,6 +5,7 @@ used where it is fastest: the memoryview for one pixel or a row, the surface for
 small boxes, numpy for everything that is many. All coordinates are absolute.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -64,6 +65,21 @@ class Pixmap:
         """Confine all drawing to left, top, right, bottom (inclusive, within the page)."""
         self.box = left, top, right, bottom = box
         self._left, self._top, self._right, self._bottom = left, top, right, bottom
+
+    def replay(self, before: Pixels, places: Ints, at_once: int) -> Iterator[int]:
+        """Set once more what has been set since `before`: so many pixels at once, in that order.
+
+        Yields how many they were, after each part.
+        """
+        after = self.flat.copy()
+        self.flat[:] = before
+        try:
+            for start in range(0, len(places), at_once):
+                part = places[start : start + at_once]
+                self.flat[part] = after[part]
+                yield len(part)
+        finally:  # also where the program ends meanwhile
+            self.flat[places] = after[places]
 
     # Pixels
 

@@ -20,6 +20,7 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
 import bgi
 from bgi import current
 from bgi.graphics import Graphics
+from bgi.graphics.slow import Slow
 from bgi.graphics.strict import Strict
 from bgi.kernel.state import KERNEL
 from tests.program import CALLS, state
@@ -74,6 +75,8 @@ fitting = {
     "path": st.sampled_from(["", None, Path()]),
     **{side: st.integers(-1, 120) for side in ("width", "height")},
     "title": st.text(max_size=9),
+    "step": st.just(False),
+    "pixels_a_second": st.sampled_from([0, 10**9]),
     "flat": st.none(),
     "buffer": st.none(),
 }
@@ -124,7 +127,7 @@ class AnyProgram(RuleBasedStateMachine):
         except (OSError, TypeError, ValueError) as error:
             assert str(error)
             assert state() == before
-        if not isinstance(current.screen, (Graphics, Strict)):  # it went, or to a text mode
+        if not isinstance(current.screen, (Graphics, Slow, Strict)):  # it went, or to a text mode
             bgi.initgraph(bgi.VGA, bgi.VGALO)
         elif view.clip and call.__name__ in CLIPPED:
             inside = slice(view.top, view.bottom + 1), slice(view.left, view.right + 1)
