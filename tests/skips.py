@@ -34,7 +34,9 @@ REASONS = {
     "needs gcc": _no_program("gcc"),
     "needs import": _no_program("import"),  # ImageMagick's
     "needs setxkbmap": _no_program("setxkbmap"),
+    "needs Chromium": IN_CI or _no_program("chromium"),  # a browser is no part of CI
     "needs pygame": not sdl.FOUND,
+    "needs websockets": _no_package("websockets"),
     "needs Pillow": _no_package("PIL"),
     "needs Hershey-Fonts": _no_package("HersheyFonts"),
     "needs shapely": _no_package("shapely"),

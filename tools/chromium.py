@@ -103,6 +103,14 @@ class Tab:
         self.call("Emulation.setDeviceMetricsOverride", **sizes, mobile=phone)
         self.call("Emulation.setTouchEmulationEnabled", enabled=phone)
 
+    def save_to(self, folder: Path) -> None:
+        """Have the browser save what it downloads there."""
+        self.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
+    def close(self) -> None:
+        """Close the tab, as its user does."""
+        self.call("Page.close")
+
     def shot(self, file: Path) -> None:
         """Write a PNG of the page."""
         answer = self.call("Page.captureScreenshot", format="png")

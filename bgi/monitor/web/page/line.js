@@ -1,7 +1,7 @@
 // The line to the program: a WebSocket, opened again whenever it is lost.
 
 const RETRY = 1000; // milliseconds
-const ENDED = 4000, LEFT = 4001, FULL = 4002, REFUSED = 1008;
+const GONE = 1000, ENDED = 4000, LEFT = 4001, FULL = 4002, REFUSED = 1008;
 
 // What the page that was opened by the program's address has behind its #. It is taken out of the
 // address bar at once, and kept for this tab alone: so it survives that the page is loaded anew.
@@ -40,7 +40,7 @@ export class Line {
 
   // A page in a frame, as of a notebook, comes and goes: that closes no program.
   leave() {
-    if (window.top === window) this.#socket?.close(LEFT, "the page was closed");
+    this.#socket?.close(window.top === window ? LEFT : GONE);
   }
 
   async #open() {
