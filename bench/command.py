@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from bench import monitor, readme, report
+from bench import monitor, readme, report, web
 from bench.groups import (
     arrays,
     console,
@@ -52,7 +52,8 @@ GROUPS = {
     "memory": Group(plots.memory_rows, most_rounds=0),
 }
 PLOTS = {"surfaces"}
-MONITOR = "monitor"
+REPORTS = {"monitor": monitor.report, "web": web.report}
+"""What has a table of its own."""
 
 
 def main(words: Sequence[str] | None = None) -> None:
@@ -62,11 +63,13 @@ def main(words: Sequence[str] | None = None) -> None:
         readme.write(Run.load(options.readme))
         return
     named = options.groups or list(GROUPS)
-    if unknown := set(named) - {*GROUPS, MONITOR}:
-        sys.exit(f"bench: no {', '.join(unknown)}; there are {', '.join(GROUPS)}, {MONITOR}")
-    if MONITOR in named:
-        monitor.report()
-    wanted = [name for name in named if name != MONITOR]
+    known = {**GROUPS, **REPORTS}
+    if unknown := set(named) - known.keys():
+        sys.exit(f"bench: no {', '.join(unknown)}; there are {', '.join(known)}")
+    for name, print_report in REPORTS.items():
+        if name in named:
+            print_report()
+    wanted = [name for name in named if name in GROUPS]
     if not wanted:
         return
     run = measured(wanted, options.rounds)
@@ -84,7 +87,7 @@ def parser() -> argparse.ArgumentParser:
         "groups",
         nargs="*",
         metavar="group",
-        help=f"{', '.join(GROUPS)}, all of them unless named; or {MONITOR}: the window",
+        help=f"{', '.join(GROUPS)}, all of them unless named; or {' or '.join(REPORTS)}",
     )
     made.add_argument("--rounds", type=int, default=ROUNDS, help="how often, at most")
     made.add_argument("--save", type=Path, metavar="FILE", help="keep the run")

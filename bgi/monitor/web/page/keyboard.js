@@ -54,6 +54,7 @@ export class Keyboard {
     button.textContent = name;
     button.tabIndex = -1;
     button.className = { Space: "space", Enter: "wide", Shift: "wide", Tab: "wide" }[name] ?? "";
+    if (name.length === 4) button.className = "long";
     const sign = signOf(name);
     if (sign) this.#signs.push([button, sign]);
     let repeating = 0;
