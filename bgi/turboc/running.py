@@ -18,6 +18,7 @@ from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
 from bgi.turboc.grammar.parser import parse
 from bgi.turboc.runtime import library, memory
 from bgi.turboc.runtime.memory import Pointer
+from bgi.turboc.runtime.plaindata import Plain
 from bgi.turboc.runtime.session import Session
 from bgi.turboc.words.preprocess import preprocess
 from bgi.turboc.words.source import decode
@@ -56,6 +57,7 @@ _HELPERS: dict[str, Any] = {
     **{"single": single, "remainder": remainder, "number": number, "destroy": destroy},
     **{"int": int, "float": float, "range": range, "max": max, "bytearray": bytearray},
     **{"Union": memory.Union, "shared": memory.shared},
+    "Plain": Plain,
     "__builtins__": {
         "__build_class__": __build_class__,
         "super": super,
@@ -88,7 +90,12 @@ class Runnable:
 
     def _understood(self, text: str, cplusplus: bool, defined: dict[str, str]) -> Emitted:
         """The program in Python; CErrors holds all that is wrong with it."""
-        macros = {**PREDEFINED, **({"__cplusplus": "1"} if cplusplus else {}), **defined}
+        macros = {
+            **PREDEFINED,
+            **library.MACROS,
+            **({"__cplusplus": "1"} if cplusplus else {}),
+            **defined,
+        }
         read = preprocess(text, self.file, library.HEADERS, self._load, macros)
         if read.errors:
             raise CErrors(read.errors)

@@ -7,7 +7,7 @@ from bgi.turboc.grammar import tree as trees
 from bgi.turboc.grammar.parser import parse
 from bgi.turboc.words.preprocess import preprocess
 
-HEADERS = ("graphics.h", "conio.h", "stdio.h", "iostream.h")
+HEADERS = dict.fromkeys(("graphics.h", "conio.h", "stdio.h", "iostream.h"), "")
 TYPES = ("FILE", "ostream", "REGS")
 
 

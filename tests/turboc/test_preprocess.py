@@ -12,7 +12,7 @@ from bgi.turboc.words.source import decode
 
 def words(text, beside=None, **defined):
     """What the preprocessor leaves, in one line; and what is wrong."""
-    found = preprocess(text, "T.C", ["stdio.h"], (beside or {}).get, defined)
+    found = preprocess(text, "T.C", {"stdio.h": ""}, (beside or {}).get, defined)
     return " ".join(word.text for word in found.tokens[:-1]), list(map(str, found.errors))
 
 
@@ -111,7 +111,7 @@ def test_parts_of_conditions():
 def test_files_beside_the_program():
     beside = {"point.h": '#include "deep.h"\nint p;', "deep.h": "int d;"}
     assert words('#include "point.h"\n#include <stdio.h>\nx', beside) == ("int d ; int p ; x", [])
-    found = preprocess("#include <STDIO.H>", "T.C", ["stdio.h"], {}.get, {})
+    found = preprocess("#include <STDIO.H>", "T.C", {"stdio.h": ""}, {}.get, {})
     assert found.headers == {"stdio.h"}
 
 
@@ -130,4 +130,4 @@ def test_what_directives_can_be_wrong():
 
 @given(st.text("ab#()\"',\\ \n/*1<>definclu", max_size=60))
 def test_any_text_is_read_or_refused(text):
-    preprocess(text, "T.C", ["stdio.h"], {}.get, {"a": "b(1)"})
+    preprocess(text, "T.C", {"stdio.h": ""}, {}.get, {"a": "b(1)"})

@@ -11,6 +11,7 @@ from bgi.turboc.checker.types import (
     INT,
     LONG,
     UNSIGNED,
+    VOID,
     ArrayType,
     FunctionType,
     PointerType,
@@ -29,13 +30,25 @@ from bgi.turboc.words.lexer import tokens
 TEXT = PointerType(CHAR, const=True)
 """A string that a function only reads: it gets the bytes of it."""
 
+DATA = PointerType(VOID, const=True)
+"""Memory that a function takes for bytes: it gets them as `Plain`."""
+
 _ENUMS = """
     graphics_errors graphics_drivers graphics_modes COLORS CGA_COLORS EGA_COLORS line_styles
     line_widths font_names text_just putimage_ops fill_patterns text_modes
 """
 
 _KNOWN: dict[str, Type] = {
-    **{"text": TEXT, "size_t": UNSIGNED, "time_t": LONG, "clock_t": LONG, "ptrdiff_t": INT},
+    **{
+        "text": TEXT,
+        "data": DATA,
+        "size_t": UNSIGNED,
+        "time_t": LONG,
+        "clock_t": LONG,
+        "ptrdiff_t": INT,
+    },
+    **dict.fromkeys(("streampos", "streamoff", "fpos_t"), LONG),
+    **{"va_list": PointerType(VOID), "streamsize": INT},
     **dict.fromkeys(_ENUMS.split(), INT),
 }
 
@@ -62,7 +75,7 @@ class Headers:
     @property
     def types(self) -> Iterable[str]:
         """The names of all types that a program sees."""
-        return [name for name in (*_KNOWN, *self._structs) if name != "text"]
+        return [name for name in (*_KNOWN, *self._structs) if name not in ("text", "data")]
 
     def names(self) -> Iterable[str]:
         """All names of functions and constants."""
@@ -149,11 +162,16 @@ def _type_of(value: int | float) -> Type:
     return INT if -0x8000 <= value <= 0x7FFF else UNSIGNED if 0 <= value <= 0xFFFF else LONG
 
 
-_OPERATORS = {"<<": "shift_left", ">>": "shift_right", "!": "fails", "=": "assign"}
+_OPERATORS = {
+    **{"<<": "shift_left", ">>": "shift_right", "!": "fails", "=": "assign"},
+    **{"==": "equals", "!=": "differs", "<": "less", ">": "greater"},
+}
 
 
 def _method_name(name: str, type_: FunctionType) -> str:
     """What a method of the library is called in Python: operators after what they take."""
+    if name.startswith("~"):
+        return "destroy_"
     if not name.startswith("operator"):
         return name
     return _OPERATORS[name.removeprefix("operator")] + "".join(

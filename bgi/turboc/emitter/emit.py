@@ -9,12 +9,9 @@ from bgi.turboc.checker.headers import Headers
 from bgi.turboc.checker.scopes import Namer
 from bgi.turboc.checker.typed import Define, Routine, TypedProgram
 from bgi.turboc.checker.types import (
-    FLOAT,
     VOID,
     ArrayType,
-    FloatType,
     FunctionType,
-    IntType,
     ReferenceType,
     StructType,
     Symbol,
@@ -25,6 +22,7 @@ from bgi.turboc.checker.types import (
 from bgi.turboc.emitter.emitactions import ActionWriter
 from bgi.turboc.emitter.emitplaces import is_cell
 from bgi.turboc.emitter.gotos import taken_apart
+from bgi.turboc.emitter.layouts import flat_layout, letter
 from bgi.turboc.faults import NOWHERE, Place
 
 HELPERS = [
@@ -32,6 +30,7 @@ HELPERS = [
     "MemberPlace",
     "CharMember",
     "Record",
+    "Plain",
     "typed",
     "put",
     "put_member",
@@ -113,11 +112,20 @@ class _Emitter(ActionWriter):
             if cls.kind == "union":
                 self._shared(cls)
             else:
+                self._laid_out(cls)
                 self.line(f"__slots__ = {tuple(own)!r}")
                 self.line(f"MEMBERS = {tuple(every)!r}")
                 self._begin(cls)
             for routine in methods:
                 self._routine(routine)
+
+    def _laid_out(self, cls: StructType) -> None:
+        """How its objects lie in memory."""
+        members = [
+            f"({self.attribute(name)!r}, {flat_layout(type_)})"
+            for name, type_ in cls.all_members().items()
+        ]
+        self.line(f"LAYOUT = [{', '.join(members)}]")
 
     def _begin(self, cls: StructType) -> None:
         """What an object holds before its constructor is called."""
@@ -131,7 +139,7 @@ class _Emitter(ActionWriter):
         """The members of a union: views of the same bytes."""
         self.line("__slots__ = ()")
         for name, type_ in cls.members.items():
-            self.line(f"{self.attribute(name)} = shared({_format(type_)!r})")
+            self.line(f"{self.attribute(name)} = shared({_shared_format(type_)!r})")
 
     # Functions
 
@@ -195,15 +203,9 @@ class _Emitter(ActionWriter):
         return self.cell(text, symbol.type) if is_cell(symbol) else text
 
 
-def _format(type_: Type) -> str:
-    """A number in Python's letters for `struct`; empty for characters."""
-    match type_:
-        case FloatType(bits):
-            return "<f" if bits == FLOAT.bits else "<d"
-        case IntType(bits, signed):
-            letter = {8: "b", 16: "h", 32: "i"}[bits]
-            return f"<{letter if signed else letter.upper()}"
-    return ""
+def _shared_format(type_: Type) -> str:
+    """The format of a member of a union; empty for characters."""
+    return f"<{letter(type_)}" if letter(type_) else ""
 
 
 def emit(program: TypedProgram, headers: Headers) -> Emitted:

@@ -54,6 +54,7 @@ from bgi.turboc.checker.types import (
 )
 from bgi.turboc.emitter.emitobjects import Objects
 from bgi.turboc.emitter.emitplaces import Spot, is_cell
+from bgi.turboc.emitter.layouts import layout, pointed
 from bgi.turboc.emitter.wrapping import cut, fits, interval, wrapped
 
 _CALLS = (Invocation, LibraryCall, MethodCall, Store, Update, Advance, Creation, Destruction)
@@ -307,6 +308,12 @@ class ValueWriter(Objects):
     def argument(self, value: Value, type_: Type | None) -> str:
         """An argument: a string that is only read as its bytes, an object as a copy."""
         read = isinstance(type_, PointerType) and type_.const
+        plain = read and isinstance(type_, PointerType) and type_.to == VOID
+        if plain and isinstance(value.type, PointerType):
+            what = pointed(value)
+            if isinstance(what, StructType) and what.library:
+                self.used.add(what.python)
+            return f"Plain({self.value(value)}, {layout(what)})"
         if read and isinstance(value, Address) and isinstance(value.operand, Quoted):
             return repr(value.operand.data.partition(b"\0")[0])
         return self.given(value)

@@ -11,7 +11,7 @@ from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.session import Session
 
 DIRECT = """
-void putpixel(int x, int y, int color); unsigned getpixel(int x, int y);
+void putpixel(int x, int y, long color); unsigned getpixel(int x, int y);
 void line(int x1, int y1, int x2, int y2); void lineto(int x, int y); void linerel(int x, int y);
 void moveto(int x, int y); void moverel(int x, int y); int getx(void); int gety(void);
 void rectangle(int x1, int y1, int x2, int y2); void bar(int x1, int y1, int x2, int y2);
@@ -21,13 +21,13 @@ void ellipse(int x, int y, int start, int end, int rx, int ry);
 void fillellipse(int x, int y, int rx, int ry);
 void pieslice(int x, int y, int start, int end, int r);
 void sector(int x, int y, int start, int end, int rx, int ry);
-void floodfill(int x, int y, int border); void cleardevice(void); void clearviewport(void);
+void floodfill(int x, int y, long border); void cleardevice(void); void clearviewport(void);
 void setviewport(int l, int t, int r, int b, int clip); int getmaxcolor(void);
-void setcolor(int color); int getcolor(void); void setbkcolor(int color); int getbkcolor(void);
+void setcolor(long color); int getcolor(void); void setbkcolor(long color); int getbkcolor(void);
 void setpalette(int number, int color); int getpalettesize(void);
 void setrgbpalette(int number, int red, int green, int blue);
 void setlinestyle(int style, unsigned pattern, int width); void setwritemode(int mode);
-void setfillstyle(int pattern, int color); void setaspectratio(int x, int y);
+void setfillstyle(int pattern, long color); void setaspectratio(int x, int y);
 void setactivepage(int page); void setvisualpage(int page); void outtext(text s);
 void outtextxy(int x, int y, text s); void settextjustify(int h, int v);
 void settextstyle(int font, int direction, int size); int textwidth(text s);
@@ -35,7 +35,6 @@ void setusercharsize(int mx, int dx, int my, int dy); int textheight(text s);
 void closegraph(void); void setgraphmode(int mode);
 int getgraphmode(void); int getmaxmode(void); void graphdefaults(void); int graphresult(void);
 unsigned imagesize(int l, int t, int r, int b); unsigned setgraphbufsize(unsigned size);
-void swapbuffers(void);
 """
 """Those that C and Python call alike."""
 
@@ -52,7 +51,9 @@ int registerbgifont(void *font); int registerfarbgidriver(void *driver);
 int registerfarbgifont(void *font);
 void getviewsettings(viewporttype *to); void getlinesettings(linesettingstype *to);
 void getfillsettings(fillsettingstype *to); void gettextsettings(textsettingstype *to);
-void getarccoords(arccoordstype *to);
+void getarccoords(arccoordstype *to); void getpalette(palettetype *to);
+palettetype *getdefaultpalette(void); void setallpalette(palettetype *palette);
+int installuserdriver(text name, void *detect); int installuserfont(text name);
 """
 """Those that answer through pointers, or take arrays."""
 
@@ -63,6 +64,7 @@ TYPES = {
     "textsettingstype": "struct @ { int font, direction, charsize, horiz, vert; };",
     "arccoordstype": "struct @ { int x, y, xstart, ystart, xend, yend; };",
     "pointtype": "struct @ { int x, y; };",
+    "palettetype": "struct @ { unsigned char size; signed char colors[16]; };",
 }
 
 
@@ -75,8 +77,14 @@ def store(pointers: tuple[Any, ...], values: tuple[Any, ...]) -> None:
 class GraphicsLibrary:
     """The functions of OTHERS for one program."""
 
-    def __init__(self, program: Session) -> None:
+    def __init__(self, program: Session, palette: Any) -> None:
+        """
+        Args:
+            program: the program.
+            palette: the class of palettetype.
+        """
         self._trace = program.trace
+        self._default = Pointer([palette()])
 
     def _note(self, name: str, given: tuple[Any, ...] = (), answer: Any = ...) -> None:
         if self._trace:
@@ -148,6 +156,36 @@ class GraphicsLibrary:
         pattern.memory[pattern.at : pattern.at + 8] = bgi.getfillpattern()
         self._note("getfillpattern")
 
+    # Palettes
+
+    def getpalette(self, to: Pointer) -> None:
+        self._note("getpalette")
+        _keep(bgi.getpalette(), to)
+
+    def getdefaultpalette(self) -> Pointer:
+        self._note("getdefaultpalette")
+        _keep(bgi.getdefaultpalette(), self._default)
+        return self._default
+
+    def setallpalette(self, palette: Pointer) -> None:
+        self._note("setallpalette")
+        given = palette.memory[palette.at]
+        bgi.setallpalette([(color ^ 0x80) - 0x80 for color in given.colors[: given.size]])
+
+    # Drivers and fonts
+
+    def installuserdriver(self, name: Any, detect: Any) -> int:
+        written = characters(name)
+        number = bgi.installuserdriver(written.decode("cp437"), detect)
+        self._note("installuserdriver", (written,), number)
+        return number
+
+    def installuserfont(self, name: Any) -> int:
+        written = characters(name)
+        number = bgi.installuserfont(written.decode("cp437"))
+        self._note("installuserfont", (written,), number)
+        return number
+
     def getimage(self, left: int, top: int, right: int, bottom: int, image: Any) -> None:
         """A memory of characters gets Borland's bytes; others hold the picture itself."""
         if image is not None:
@@ -179,6 +217,13 @@ class GraphicsLibrary:
         return 1
 
     registerfarbgidriver, registerfarbgifont = registerbgidriver, registerbgifont
+
+
+def _keep(found: bgi.palettetype, to: Pointer) -> None:
+    """Store a palette."""
+    target = to.memory[to.at]
+    target.size = found.size
+    target.colors[: len(found.colors)] = bytes(color & 0xFF for color in found.colors[:16])
 
 
 def _settings(name: str) -> Function:

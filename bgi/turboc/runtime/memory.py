@@ -102,12 +102,22 @@ class Allocated(bytearray):
 
     __slots__ = ("elements",)
     elements: list[Any]
+    taken = 0
+    """By all of them."""
+
+    def __init__(self, size: int) -> None:
+        super().__init__(size)
+        Allocated.taken += size
+
+    def __del__(self) -> None:
+        Allocated.taken -= len(self)
 
 
 def typed(pointer: Any, size: int, make: Callable[[int], list[Any]]) -> Any:
     """A pointer to memory of malloc() as elements of a type: so many bytes are one."""
     if pointer is None or not isinstance(pointer.memory, Allocated):
-        return pointer
+        far = pointer is not None and hasattr(pointer.memory, "typed")
+        return pointer.memory.typed(size, pointer.at) if far else pointer
     block = pointer.memory
     if not hasattr(block, "elements"):
         block.elements = make(max(len(block) // size, 1))

@@ -1,14 +1,13 @@
-"""conio.h, dos.h, bios.h, time.h, and the mouse driver by interrupt 33h."""
+"""conio.h, the keyboard and the speaker, and what begins and ends programs."""
 
 from __future__ import annotations
 
-import time as _time
+import sys
 from typing import Any, NoReturn
 
 from bgi import conio, current, dos
-from bgi.turboc.runtime.binding import Function, string
+from bgi.turboc.runtime.binding import Function, characters
 from bgi.turboc.runtime.memory import Pointer
-from bgi.turboc.runtime.scripted import Scripted
 from bgi.turboc.runtime.session import ProgramEnd, Session
 
 DIRECT = """
@@ -17,37 +16,62 @@ void gotoxy(int x, int y); int wherex(void); int wherey(void); void textcolor(in
 void textbackground(int color); void textattr(int attribute); void textmode(int mode);
 void window(int left, int top, int right, int bottom); void highvideo(void);
 void lowvideo(void); void normvideo(void); void _setcursortype(int kind);
+int movetext(int left, int top, int right, int bottom, int x, int y);
 """
 
 TRACED = """
-int getch(void); int kbhit(void); int bioskey(int command); void delay(unsigned ms);
-void sleep(unsigned s); void sound(unsigned hertz); void nosound(void); long clock(void);
-int inportb(int port); int inport(int port); void outportb(int port, int value);
-void outport(int port, int value);
+int getch(void); int kbhit(void); int bioskey(int command); void sound(unsigned hertz);
+void nosound(void);
 """
 
 OTHERS = """
-int getche(void); int ungetch(int c); long time(long *to); long biostime(int command, long to);
-void randomize(void); void gettime(time *to); void getdate(date *to); void exit(int status);
-void abort(void); int atexit(void *function); int int86(int number, REGS *in, REGS *out);
-int int86x(int number, REGS *in, REGS *out, SREGS *segments); int system(text command);
-void Sleep(unsigned ms); void segread(SREGS *segments); void _exit(int status);
-int intdos(REGS *in, REGS *out); double difftime(long a, long b); char *ctime(long *seconds);
+int getche(void); int ungetch(int c); unsigned _bios_keybrd(unsigned command);
+int gettext(int left, int top, int right, int bottom, data to);
+int puttext(int left, int top, int right, int bottom, data from); void gettextinfo(text_info *to);
+int biosequip(void); int biosmemory(void); unsigned _bios_equiplist(void);
+unsigned _bios_memsize(void); int biosdisk(int cmd, int d, int h, int t, int s, int n, void *b);
+int biosprint(int cmd, int byte, int port); int bioscom(int cmd, char byte, int port);
+void exit(int status); void abort(void); void _exit(int status); int atexit(void *function);
+void _cexit(void); void _c_exit(void); int getpid(void); int system(text command);
+int spawnl(int mode, text path, ...); int spawnlp(int mode, text path, ...);
+int spawnle(int mode, text path, ...); int spawnv(int mode, text path, ...);
+int spawnvp(int mode, text path, ...); int execl(text path, ...); int execlp(text path, ...);
+int execle(text path, ...); int execv(text path, ...); int execvp(text path, ...);
+int _assertion(text condition, text file, int line); void *signal(int number, void *handler);
+void *set_new_handler(void *handler); char *setlocale(int kind, text name);
 """
 
 TYPES = {
-    "time": "struct @ { unsigned char ti_min, ti_hour, ti_hund, ti_sec; };",
-    "date": "struct @ { int da_year; char da_day, da_mon; };",
-    "WORDREGS": "struct @ { unsigned ax, bx, cx, dx, si, di, cflag, flags; };",
-    "BYTEREGS": "struct @ { unsigned char al, ah, bl, bh, cl, ch, dl, dh; };",
-    "REGS": "struct @ { WORDREGS x; BYTEREGS h; };",
-    "SREGS": "struct @ { unsigned es, cs, ss, ds; };",
+    "text_info": """struct @ { unsigned char winleft, wintop, winright, winbottom, attribute,
+        normattr, currmode, screenheight, screenwidth, curx, cury; };""",
 }
 
-TICKS = 18.2
-"""Of the timer in a second."""
+NAMES = {
+    **{"directvideo": "int @", "_wscroll": "int @", "_argc": "int @", "_argv": "char **@"},
+    **{"environ": "char **@", "_osmajor": "unsigned char @", "_osminor": "unsigned char @"},
+    **{"_version": "unsigned @", "_psp": "unsigned @", "_stklen": "unsigned @"},
+    **{"_heaplen": "unsigned @", "_fmode": "int @", "sys_nerr": "int @"},
+}
+"""Variables of the headers."""
 
-MIDNIGHT = 86_400
+VALUES: dict[str, Any] = {
+    **{"directvideo": 1, "_wscroll": 1, "_argc": 1, "_argv": Pointer([None]), "_osmajor": 5},
+    **{"environ": Pointer([None]), "_osminor": 0, "_version": 5, "_psp": 0, "_stklen": 4096},
+    **{"_heaplen": 0, "_fmode": 0x4000, "sys_nerr": 0},
+}
+"""What is in them."""
+
+CONSTANTS = {
+    **{"P_WAIT": 0, "P_NOWAIT": 1, "P_OVERLAY": 2, "SIGBREAK": 21},
+    **{"SIGABRT": 22, "SIGFPE": 8, "SIGILL": 4, "SIGINT": 2, "SIGSEGV": 11, "SIGTERM": 15},
+    **{"_KEYBRD_READ": 0, "_KEYBRD_READY": 1, "_KEYBRD_SHIFTSTATUS": 2},
+    **{"_NKEYBRD_READ": 0x10, "_NKEYBRD_READY": 0x11, "_NKEYBRD_SHIFTSTATUS": 0x12},
+    **{"LC_ALL": 0, "LC_COLLATE": 1, "LC_CTYPE": 2, "LC_MONETARY": 3, "LC_NUMERIC": 4},
+}
+
+_EQUIPMENT, _KILOBYTES = 0x4221, 640
+_ENDS = {22: "abort", 8: "divide", 4: "crash", 11: "crash"}
+"""How a signal that nobody handles ends a program."""
 
 
 class PCLibrary:
@@ -56,10 +80,13 @@ class PCLibrary:
     def __init__(self, program: Session) -> None:
         self._program = program
         self._pc = program.pc
+        self._handlers: dict[int, Any] = {}
 
     def _note(self, name: str, given: tuple[Any, ...] = (), answer: Any = ...) -> None:
         if self._program.trace:
             self._program.trace.call(name, given, answer)
+
+    # The keyboard
 
     def getch(self) -> int:
         return self._pc.getch()
@@ -69,6 +96,11 @@ class PCLibrary:
 
     def bioskey(self, command: int) -> int:
         return self._pc.bioskey(command)
+
+    def _bios_keybrd(self, command: int) -> int:
+        word = self._pc.bioskey(command)
+        self._note("bioskey", (command & 0xF,), word)
+        return word & 0xFFFF
 
     def getche(self) -> int:
         code = self._pc.getch()
@@ -81,15 +113,27 @@ class PCLibrary:
         self._note("ungetch", (code,))
         return code
 
-    # Time
+    # The text screen
 
-    def delay(self, milliseconds: int) -> None:
-        self._pc.pass_time(milliseconds & 0xFFFF)
+    def gettext(self, left: int, top: int, right: int, bottom: int, to: Any) -> int:
+        self._note("gettext", (left, top, right, bottom))
+        cells = conio.gettext(left, top, right, bottom)
+        to.put(cells)
+        return int(bool(cells))
 
-    Sleep = delay
+    def puttext(self, left: int, top: int, right: int, bottom: int, source: Any) -> int:
+        self._note("puttext", (left, top, right, bottom))
+        count = 2 * max(right - left + 1, 0) * max(bottom - top + 1, 0)
+        return int(conio.puttext(left, top, right, bottom, source.get(count)))
 
-    def sleep(self, seconds: int) -> None:
-        self._pc.pass_time((seconds & 0xFFFF) * 1000)
+    def gettextinfo(self, to: Pointer) -> None:
+        self._note("gettextinfo")
+        found = conio.gettextinfo()
+        target = to.memory[to.at]
+        for name in target.MEMBERS:
+            setattr(target, name, getattr(found, name) & 0xFF)
+
+    # The speaker, and what the BIOS knows
 
     def sound(self, hertz: int) -> None:
         if current.is_open():
@@ -98,112 +142,65 @@ class PCLibrary:
     def nosound(self) -> None:
         dos.nosound()
 
-    def clock(self) -> int:
-        return self._pc.milliseconds() * 182 // 10000
+    def biosequip(self) -> int:
+        return _EQUIPMENT
 
-    def time(self, to: Any) -> int:
-        now = int(self._pc.now())
-        self._note("time")
-        if to is not None:
-            to.memory[to.at] = now
-        return now
+    def biosmemory(self) -> int:
+        return _KILOBYTES
 
-    def difftime(self, later: int, earlier: int) -> float:
-        return float(later - earlier)
+    _bios_equiplist, _bios_memsize = biosequip, biosmemory
 
-    def ctime(self, seconds: Pointer) -> Pointer:
-        return string(_time.asctime(_time.gmtime(seconds.memory[seconds.at])) + "\n")
+    def biosdisk(self, *given: Any) -> int:
+        """No disk answers."""
+        return 0x80
 
-    def biostime(self, command: int, to: int) -> int:
-        now = round(self._pc.now() % MIDNIGHT * 1000) * 182 // 10000
-        self._note("biostime", (command,))
-        return now
+    def biosprint(self, command: int, byte: int, port: int) -> int:
+        """No printer answers."""
+        return 1
 
-    def randomize(self) -> None:
-        seed = self._pc.seed()
-        if seed >= 0:
-            dos.srand(seed & 0xFFFF)
+    def bioscom(self, command: int, byte: int, port: int) -> int:
+        """No serial port answers."""
+        return -0x8000
 
-    def gettime(self, to: Pointer) -> None:
-        now, when = self._moment()
-        values = when.tm_hour, when.tm_min, when.tm_sec, round(now % 1 * 1000) // 10
-        for name, value in zip(("ti_hour", "ti_min", "ti_sec", "ti_hund"), values, strict=True):
-            setattr(to.memory[to.at], name, value)
-        self._note("gettime", (), values)
+    # Processes: no other program is started
 
-    def getdate(self, to: Pointer) -> None:
-        when = self._moment()[1]
-        values = when.tm_year, when.tm_mon, when.tm_mday
-        for name, value in zip(("da_year", "da_mon", "da_day"), values, strict=True):
-            setattr(to.memory[to.at], name, value)
-        self._note("getdate", (), values)
-
-    def _moment(self) -> tuple[float, _time.struct_time]:
-        now = self._pc.now()
-        scripted = isinstance(self._pc, Scripted)
-        return now, (_time.gmtime if scripted else _time.localtime)(now)
-
-    # Ports and interrupts
-
-    def inportb(self, port: int) -> int:
-        return self._pc.port(port & 0xFFFF)
-
-    def inport(self, port: int) -> int:
+    def system(self, command: Any) -> int:
+        asked = characters(command)
+        self._note("system", (asked,))
+        if not self._program.scripted:
+            self._do(asked.decode("cp437").strip().lower())
         return 0
 
-    def outportb(self, port: int, value: int) -> None:
-        """Nothing hears it."""
+    def _do(self, command: str) -> None:
+        """What a program asks the shell of its system for, as far as it is known here."""
+        word = command.partition(" ")[0]
+        if word in ("cls", "clear"):
+            conio.clrscr()
+        elif word == "pause":
+            self._program.print(b"Press any key to continue . . . ")
+            self._pc.getch()
+            self._program.print(b"\n")
+        elif word not in ("color", "title", "mode", "echo", "date", "time", ""):
+            print(f"bgi: the program may not start {command!r}", file=sys.stderr)
 
-    outport = outportb
+    def _started(self, name: str, path: Any) -> int:
+        self._note(name, (characters(path),))
+        return -1
 
-    def int86(self, number: int, given: Pointer, out: Pointer) -> int:
-        """An interrupt: those of the mouse and the keyboard answer."""
-        before, after = given.memory[given.at].x, out.memory[out.at].x
-        ax, bx, cx, dx = before.ax, before.bx, before.cx, before.dx
-        result = self._interrupt(number & 0xFF, ax, bx, cx, dx)
-        for name in ("si", "di", "cflag", "flags"):
-            setattr(after, name, getattr(before, name))
-        for name, value in zip(("ax", "bx", "cx", "dx"), result, strict=True):
-            setattr(after, name, value & 0xFFFF)
-        self._note("int86", (number, ax, bx, cx, dx), tuple(result))
-        return (result[0] & 0xFFFF ^ 0x8000) - 0x8000
+    def spawnl(self, mode: int, path: Any, *given: Any) -> int:
+        return self._started("spawn", path)
 
-    def _interrupt(self, number: int, ax: int, bx: int, cx: int, dx: int) -> list[int]:
-        if number == 0x33:
-            return self._mouse(ax, bx, cx, dx)
-        if number == 0x16 and ax >> 8 & 0xF < 2:
-            key = self._pc.bioskey(ax >> 8 & 0xF)
-            return [key or ax, bx, cx, dx]
-        if number == 0x1A and ax >> 8 == 0:
-            ticks = round(self._pc.now() % MIDNIGHT * 1000) * 182 // 10000
-            return [ax & 0xFF00, bx, ticks >> 16, ticks & 0xFFFF]
-        return [ax, bx, cx, dx]
+    spawnlp = spawnle = spawnv = spawnvp = spawnl
 
-    def _mouse(self, ax: int, bx: int, cx: int, dx: int) -> list[int]:
-        if ax == 0:
-            return [0xFFFF, 2, cx, dx]
-        if ax == 3:
-            return [ax, *self._pc.mouse()]
-        if ax in (5, 6):
-            buttons, x, y = self._pc.mouse()
-            return [buttons, int(buttons == (2 if bx else 1)), x, y]
-        return [ax, bx, 3, 2] if ax == 0xB else [ax, bx, cx, dx]
+    def execl(self, path: Any, *given: Any) -> int:
+        return self._started("exec", path)
 
-    def int86x(self, number: int, given: Pointer, out: Pointer, segments: Pointer) -> int:
-        return self.int86(number, given, out)
+    execlp = execle = execv = execvp = execl
 
-    def intdos(self, given: Pointer, out: Pointer) -> int:
-        return self.int86(0x21, given, out)
+    def getpid(self) -> int:
+        return 1
 
-    def segread(self, segments: Pointer) -> None:
-        """There are none."""
-
-    # Processes
-
-    def system(self, command: bytes) -> int:
-        """No other program is started."""
-        self._note("system", (command,))
-        return 0
+    # The end
 
     def exit(self, status: int) -> NoReturn:
         raise ProgramEnd("exit", status & 0xFF)
@@ -217,10 +214,36 @@ class PCLibrary:
         self._program.at_exit.append(function)
         return 0
 
+    def _cexit(self) -> None:
+        """Everything is written already."""
+
+    _c_exit = _cexit
+
+    def _assertion(self, condition: Any, file: Any, line: int) -> NoReturn:
+        where = b"%s, file %s, line %d\n" % (characters(condition), characters(file), line)
+        self._program.print(b"Assertion failed: " + where)
+        self.abort()
+
+    def signal(self, number: int, handler: Any) -> Any:
+        before = self._handlers.get(number)
+        self._handlers[number] = handler
+        return before
+
+    def raise_(self, number: int) -> int:
+        handler = self._handlers.get(number)
+        if callable(handler):
+            handler(number)
+        elif number in (*_ENDS, 2, 15):
+            raise ProgramEnd(_ENDS.get(number, "exit"), 3)
+        return 0
+
+    def set_new_handler(self, handler: Any) -> None:
+        """Memory ends far behind what a program needs."""
+
+    def setlocale(self, kind: int, name: Any) -> Pointer:
+        return Pointer(bytearray(b"C\0"))
+
 
 def direct(name: str) -> Function:
     """A function of conio.h."""
     return getattr(conio, name)  # type: ignore[no-any-return]
-
-
-__all__ = ["DIRECT", "OTHERS", "TRACED", "TYPES", "PCLibrary", "direct"]

@@ -9,6 +9,7 @@ from typing import Any
 
 from bgi import conio, current
 from bgi.errors import BGIError, WindowClosed
+from bgi.turboc.runtime.folders import DiskFolder, Folder, MemoryFolder
 from bgi.turboc.runtime.livepc import LivePC
 from bgi.turboc.runtime.scripted import Scripted, script
 from bgi.turboc.runtime.trace import Trace
@@ -49,15 +50,17 @@ class Session:
         Args:
             trace: the file that gets the trace, None for none.
             script_name: A or B, None for the keyboard and the clock of the window.
-            folder: where its files are.
+            folder: where its files are; a scripted program that may not write sees an empty one.
             files: whether it may write them.
         """
         self.trace = Trace(_stop) if trace else None
         self._trace_file = trace
         self.pc: Scripted | LivePC = script(script_name) if script_name else LivePC()
         self.scripted = script_name is not None
-        self.folder = folder
-        self.files = files
+        in_memory = self.scripted and not files
+        self.folder: Folder = MemoryFolder() if in_memory else DiskFolder(folder, files)
+        self.closing: list[Callable[[], Any]] = []
+        """What is called at the end, however the program ends."""
         self.at_exit: list[Callable[[], Any]] = []
 
     def print(self, data: bytes) -> None:
@@ -106,6 +109,8 @@ class Session:
         except ProgramEnd as end:
             reason = end.reason
         finally:
+            for close in self.closing:
+                close()
             if self.scripted and hasattr(signal, "setitimer"):
                 signal.setitimer(signal.ITIMER_PROF, 0)
             if self.trace and self._trace_file:

@@ -1,4 +1,4 @@
-"""iostream.h and iomanip.h: cout, cin, and what they are told about form."""
+"""iostream.h: cout and cin, and what streams of files share with them."""
 
 from __future__ import annotations
 
@@ -6,118 +6,154 @@ from typing import Any
 
 from bgi.clib.reading import Reader, read_real, read_whole
 from bgi.turboc.runtime.binding import characters
+from bgi.turboc.runtime.files import EOF, Characters, File
+from bgi.turboc.runtime.manipulators import (
+    BAD,
+    BASE,
+    BASE_SHOWN,
+    END,
+    FAILED,
+    FIXED,
+    HEX,
+    LEFT,
+    OCT,
+    PLUS,
+    POINT,
+    SCIENTIFIC,
+    SKIP,
+    UPPER,
+    manipulator,
+)
 from bgi.turboc.runtime.memory import Pointer, Record, write_text
-from bgi.turboc.runtime.stdiolib import StdioLibrary, TypedRecord
-
-LEFT, RIGHT, DEC, OCT, HEX, BASE_SHOWN, POINT, UPPER, PLUS = 2, 4, 16, 32, 64, 128, 256, 512, 1024
-SCIENTIFIC, FIXED = 2048, 4096
-FIELDS = {LEFT: 14, RIGHT: 14, DEC: 112, OCT: 112, HEX: 112, SCIENTIFIC: 6144, FIXED: 6144}
+from bgi.turboc.runtime.plaindata import Plain
+from bgi.turboc.runtime.stdiolib import StdioLibrary
 
 _NUMBERS = ("int", "unsigned", "long", "unsigned long")
-_KINDS = (*_NUMBERS, "char", "unsigned char", "double", "float", "long double", "char *", "void *")
+_KINDS = (*_NUMBERS, "char", "unsigned char", "double", "float", "long double")
+_POINTERS = ("char *", "unsigned char *", "void *")
 
-_COMMON = """int width(int n); int precision(int n); char fill(char c); long setf(long flags);
-long setf(long flags, long mask); long unsetf(long flags); int good(); int fail(); int eof();
-int bad(); void clear();"""
+_STATE = """int width(); int width(int n); int precision(); int precision(int n); char fill();
+char fill(char c); long flags(); long flags(long f); long setf(long f);
+long setf(long f, long mask); long unsetf(long f); int good(); int fail(); int eof(); int bad();
+int rdstate(); void clear(); void clear(int state); int operator!(); int operator==(int null);
+int operator!=(int null); int operator<(char *s); int operator>(char *s); streambuf *rdbuf();
+void tie(void *other); void sync_with_stdio();"""
+
+WRITING = (
+    " ".join(f"@ &operator<<({kind} v);" for kind in (*_KINDS, *_POINTERS))
+    + "@ &operator<<(manipulator v); @ &operator<<(streambuf *v); @ &flush(); @ &put(char c);"
+    "@ &write(data s, int n); @ &seekp(long p); @ &seekp(long p, int from); long tellp();"
+)
+
+READING = (
+    " ".join(f"@ &operator>>({kind} &v);" for kind in _KINDS)
+    + """@ &operator>>(char *s); @ &operator>>(unsigned char *s); @ &operator>>(manipulator v);
+    int get(); @ &get(char &c); @ &get(unsigned char &c); @ &get(char *s, int n);
+    @ &get(char *s, int n, int end); @ &getline(char *s, int n);
+    @ &getline(char *s, int n, int end); @ &ignore(); @ &ignore(int n);
+    @ &ignore(int n, int c); @ &read(data s, int n); int peek();
+    @ &putback(char c); int gcount(); int sync(); @ &seekg(long p); @ &seekg(long p, int from);
+    long tellg();"""
+)
 
 TYPES = {
-    "manipulator": "struct @ { int kind, value; };",
-    "ostream": "class @ { public: "
-    + " ".join(f"ostream &operator<<({kind} v);" for kind in _KINDS)
-    + " ostream &operator<<(manipulator v); ostream &flush(); ostream &put(char c);"
-    + f" ostream &write(char *s, int n); {_COMMON} }};",
-    "istream": "class @ { public: "
-    + " ".join(f"istream &operator>>({kind} &v);" for kind in _KINDS if "*" not in kind)
-    + " istream &operator>>(char *s); istream &operator>>(manipulator v); int get();"
-    + " istream &get(char &c); istream &getline(char *s, int n); istream &ignore(int n, int c);"
-    + f" istream &ignore(int n); istream &ignore(); int peek(); {_COMMON} }};",
+    "streambuf": "struct @ { int kind; };",
+    "ios": f"class @ {{ public: {_STATE} }};",
+    "ostream": f"class @ : public ios {{ public: {WRITING.replace('@', 'ostream')} }};",
+    "istream": f"class @ : public ios {{ public: {READING.replace('@', 'istream')} }};",
 }
 
 NAMES = {
-    **{"cout": "ostream @", "cerr": "ostream @", "clog": "ostream @", "cin": "istream @"},
-    **dict.fromkeys(("endl", "ends", "flush", "hex", "dec", "oct", "ws"), "manipulator @"),
+    **dict.fromkeys(("cout", "cerr", "clog"), "ostream @"),
+    "cin": "istream @",
 }
 
-DECLARATIONS = """
-manipulator setw(int n); manipulator setprecision(int n); manipulator setfill(int c);
-manipulator setiosflags(long flags); manipulator resetiosflags(long flags);
-manipulator setbase(int n);
-"""
-
-CONSTANTS = {
-    **{"ios::left": LEFT, "ios::right": RIGHT, "ios::dec": DEC, "ios::oct": OCT, "ios::hex": HEX},
-    **{"ios::showbase": BASE_SHOWN, "ios::showpoint": POINT, "ios::uppercase": UPPER},
-    **{"ios::showpos": PLUS, "ios::scientific": SCIENTIFIC, "ios::fixed": FIXED, "ios::in": 1},
-    **{"ios::out": 2, "ios::ate": 4, "ios::app": 8, "ios::trunc": 16, "ios::nocreate": 32},
-    **{"ios::binary": 128, "ios::adjustfield": 14, "ios::basefield": 112, "ios::floatfield": 6144},
-}
+MOST_OF_A_WORD = 256
 
 
-class manipulator(Record):
-    """What is told to a stream: a kind and a value."""
+class ios(Record):
+    """A stream's file, the form of its numbers, and whether all went well."""
 
-    __slots__ = ("kind", "value")
-    MEMBERS = ("kind", "value")
+    __slots__ = ("_fill", "_flags", "_precision", "_state", "_width", "file", "library")
 
-    def __init__(self, kind: str = "", value: int = 0) -> None:
-        self.kind = kind
-        self.value = value
+    def __init__(self, library: StdioLibrary, file: File | None = None) -> None:
+        self.library, self.file = library, file
+        self._flags, self._width, self._precision, self._fill = SKIP, 0, 6, 32
+        self._state = 0
 
+    def copy(self) -> Any:
+        """The same: a stream is one, wherever it is given."""
+        return self
 
-def _maker(kind: str) -> Any:
-    return lambda value: manipulator(kind, value)
-
-
-MANIPULATORS: dict[str, Any] = {
-    **{"endl": manipulator("write", 10), "ends": manipulator("write", 0)},
-    **{"flush": manipulator(), "ws": manipulator("ws")},
-    **{"dec": manipulator("base", DEC), "oct": manipulator("base", OCT)},
-    **{"hex": manipulator("base", HEX), "setw": _maker("width")},
-    **{"setprecision": _maker("precision"), "setfill": _maker("fill")},
-    **{"setiosflags": _maker("set"), "resetiosflags": _maker("reset")},
-    "setbase": lambda n: manipulator("base", {8: OCT, 16: HEX}.get(n, DEC)),
-}
-
-
-class _Formatted:
-    """The form of numbers, and whether all went well."""
-
-    def __init__(self, library: StdioLibrary) -> None:
-        self._library = library
-        self._flags, self._width, self._precision, self._fill = 1, 0, 6, 32
-        self._failed = False
-
-    def width(self, n: int) -> int:
-        before, self._width = self._width, n
+    def width(self, n: int | None = None) -> int:
+        before = self._width
+        self._width = before if n is None else n
         return before
 
-    def precision(self, n: int) -> int:
-        before, self._precision = self._precision, n
+    def precision(self, n: int | None = None) -> int:
+        before = self._precision
+        self._precision = before if n is None else n
         return before
 
-    def fill(self, c: int) -> int:
-        before, self._fill = self._fill, c & 0xFF
+    def fill(self, c: int | None = None) -> int:
+        before = self._fill
+        self._fill = before if c is None else c & 0xFF
         return before
 
-    def setf(self, flags: int, mask: int = 0) -> int:
+    def flags(self, f: int | None = None) -> int:
         before = self._flags
-        self._flags = before & ~mask | flags
+        self._flags = before if f is None else f
+        return before
+
+    def setf(self, flags: int, mask: int | None = None) -> int:
+        before = self._flags
+        self._flags = before | flags if mask is None else before & ~mask | flags & mask
         return before
 
     def unsetf(self, flags: int) -> int:
         before, self._flags = self._flags, self._flags & ~flags
         return before
 
+    def rdstate(self) -> int:
+        return self._state
+
     def good(self) -> int:
-        return int(not self._failed)
+        return int(not self._state)
 
     def fail(self) -> int:
-        return int(self._failed)
+        return self._state & (FAILED | BAD)
 
-    bad = eof = fail
+    def bad(self) -> int:
+        return self._state & BAD
 
-    def clear(self) -> None:
-        self._failed = False
+    def eof(self) -> int:
+        return self._state & END
+
+    def clear(self, state: int = 0) -> None:
+        self._state = state
+
+    def fails(self) -> int:
+        return int(bool(self.fail()))
+
+    def equals_int(self, null: int) -> int:
+        return self.fails()
+
+    def differs_int(self, null: int) -> int:
+        return int(not self.fails())
+
+    def less_char__pointer(self, s: Any) -> int:
+        """`cout < "text"` compares addresses, and prints nothing."""
+        return 0
+
+    greater_char__pointer = less_char__pointer
+
+    def rdbuf(self) -> Pointer:
+        return Pointer([self.file])
+
+    def tie(self, other: Any) -> None:
+        """Both are the same screen."""
+
+    sync_with_stdio = tie
 
     def obey(self, told: manipulator) -> None:
         """What a manipulator says."""
@@ -125,23 +161,38 @@ class _Formatted:
             case "width" | "precision" | "fill":
                 getattr(self, told.kind)(told.value)
             case "base":
-                self.setf(told.value, 112)
+                self.setf(told.value, BASE)
             case "set":
                 self.setf(told.value)
             case "reset":
                 self.unsetf(told.value)
 
-
-class ostream(_Formatted):
-    """Where `<<` writes."""
-
-    def _padded(self, data: bytes) -> ostream:
-        fill = bytes([self._fill]) * (self._width - len(data))
-        self._width = 0
-        self._library._program.print(data + fill if self._flags & LEFT else fill + data)
+    def _seek(self, place: int, whence: int) -> Any:
+        self._state = 0
+        if self.file is None or not self.file.seek(place, whence):
+            self._state = FAILED
         return self
 
-    def shift_left_int(self, v: int, bits: int = 16) -> ostream:
+    def _tell(self) -> int:
+        return self.file.tell() if self.file is not None else -1
+
+
+class ostream(ios):
+    """Where `<<` writes."""
+
+    __slots__ = ()
+
+    def _written(self, data: bytes) -> Any:
+        if self.file is None or not self.file.write(data):
+            self._state |= BAD
+        return self
+
+    def _padded(self, data: bytes) -> Any:
+        fill = bytes([self._fill]) * (self._width - len(data))
+        self._width = 0
+        return self._written(data + fill if self._flags & LEFT else fill + data)
+
+    def shift_left_int(self, v: int, bits: int = 16) -> Any:
         if self._flags & (HEX | OCT):
             digits = f"{v & (1 << bits) - 1:{'x' if self._flags & HEX else 'o'}}"
             digits = digits.upper() if self._flags & UPPER else digits
@@ -151,17 +202,17 @@ class ostream(_Formatted):
 
     shift_left_unsigned = shift_left_int
 
-    def shift_left_long(self, v: int) -> ostream:
+    def shift_left_long(self, v: int) -> Any:
         return self.shift_left_int(v, 32)
 
     shift_left_unsigned_long = shift_left_long
 
-    def shift_left_char(self, v: int) -> ostream:
+    def shift_left_char(self, v: int) -> Any:
         return self._padded(bytes([v & 0xFF]))
 
     shift_left_unsigned_char = shift_left_char
 
-    def shift_left_double(self, v: float) -> ostream:
+    def shift_left_double(self, v: float) -> Any:
         precision, flags = self._precision, self._flags
         if precision == 0 and not flags & (SCIENTIFIC | FIXED):
             precision = 6
@@ -171,72 +222,94 @@ class ostream(_Formatted):
 
     shift_left_float = shift_left_long_double = shift_left_double
 
-    def shift_left_char_pointer(self, v: Any) -> ostream:
+    def shift_left_char_pointer(self, v: Any) -> Any:
         return self._padded(characters(v))
 
-    shift_left_char__pointer = shift_left_char_pointer
+    shift_left_char__pointer = shift_left_unsigned_char__pointer = shift_left_char_pointer
 
-    def shift_left_void_pointer(self, v: Any) -> ostream:
+    def shift_left_void__pointer(self, v: Any) -> Any:
         return self._padded(b"0x0000")
 
-    shift_left_void__pointer = shift_left_void_pointer
-
-    def shift_left_manipulator(self, v: manipulator) -> ostream:
+    def shift_left_manipulator(self, v: manipulator) -> Any:
         if v.kind == "write":
-            self._library._program.print(bytes([v.value]))
+            self._written(bytes([v.value]))
         self.obey(v)
         return self
 
-    def put(self, c: int) -> ostream:
-        self._library._program.print(bytes([c & 0xFF]))
+    def shift_left_streambuf__pointer(self, v: Pointer) -> Any:
+        """All of a file."""
+        file = v.memory[v.at]
+        while file is not None and (data := file.read(4096)):
+            self._written(data)
         return self
 
-    def write(self, s: Pointer, n: int) -> ostream:
-        self._library._program.print(bytes(s.memory[s.at : s.at + n]))
+    def put(self, c: int) -> Any:
+        return self._written(bytes([c & 0xFF]))
+
+    def write(self, s: Plain, n: int) -> Any:
+        return self._written(s.get(n))
+
+    def flush(self) -> Any:
         return self
 
-    def flush(self) -> ostream:
-        return self
+    def seekp(self, place: int, whence: int = 0) -> Any:
+        return self._seek(place, whence)
+
+    def tellp(self) -> int:
+        return self._tell()
 
 
-class istream(_Formatted):
+class istream(ios):
     """Where `>>` reads; a target is a memory of one."""
 
-    def _take(self, read: Any) -> Any:
-        if self._failed:
+    __slots__ = ("_count",)
+
+    def __init__(self, library: StdioLibrary, file: File | None = None) -> None:
+        super().__init__(library, file)
+        self._count = 0
+
+    def _ended(self) -> Any:
+        self._state |= END | FAILED
+        return self
+
+    def _take(self, read: Any, width: int = 80) -> Any:
+        """A field; None if there is none."""
+        file = self.file
+        if self._state or file is None:
+            self._state |= FAILED
             return None
-        recorder = TypedRecord(self._library._pc)
-        reader = Reader(recorder)
+        source = Characters(file)
+        reader = Reader(source)
         reader.skip_white()
-        recorder.text = ""
-        reader.begin(80)
+        source.text = ""
+        reader.begin(width)
         value = read(reader)
         if value is None:
-            self._failed = True
-        else:
-            self._library._program.read(recorder.text.encode("cp437"))
+            self._state |= FAILED | (END if file.ended else 0)
+        elif file.typed:
+            self.library.note_read(source.text)
         return value
 
-    def _number(self, to: Pointer, low: int, bits: int) -> istream:
+    def _number(self, to: Pointer, low: int, bits: int) -> Any:
         base = 16 if self._flags & HEX else 8 if self._flags & OCT else 10
         value = self._take(lambda reader: read_whole(reader, base))
         if value is not None:
             to.memory[to.at] = (value - low & (1 << bits) - 1) + low
         return self
 
-    def shift_right_int_reference(self, to: Pointer) -> istream:
+    def shift_right_int_reference(self, to: Pointer) -> Any:
         return self._number(to, -0x8000, 16)
 
-    def shift_right_unsigned_reference(self, to: Pointer) -> istream:
+    def shift_right_unsigned_reference(self, to: Pointer) -> Any:
         return self._number(to, 0, 16)
 
-    def shift_right_long_reference(self, to: Pointer) -> istream:
+    def shift_right_long_reference(self, to: Pointer) -> Any:
         return self._number(to, -0x80000000, 32)
 
-    def shift_right_unsigned_long_reference(self, to: Pointer) -> istream:
+    def shift_right_unsigned_long_reference(self, to: Pointer) -> Any:
         return self._number(to, 0, 32)
 
-    def shift_right_double_reference(self, to: Pointer) -> istream:
+    def shift_right_double_reference(self, to: Pointer) -> Any:
         value = self._take(read_real)
         if value is not None:
             to.memory[to.at] = value
@@ -245,7 +318,7 @@ class istream(_Formatted):
     shift_right_float_reference = shift_right_double_reference
     shift_right_long_double_reference = shift_right_double_reference
 
-    def shift_right_char_reference(self, to: Pointer) -> istream:
+    def shift_right_char_reference(self, to: Pointer) -> Any:
         value = self._take(lambda reader: reader.take(lambda c: True) or None)
         if value is not None:
             to.memory[to.at] = value.encode("cp437")[0]
@@ -253,36 +326,81 @@ class istream(_Formatted):
 
     shift_right_unsigned_char_reference = shift_right_char_reference
 
-    def shift_right_char_pointer(self, to: Pointer) -> istream:
-        value = self._take(lambda reader: reader.take_all(lambda c: not c.isspace()) or None)
+    def shift_right_char_pointer(self, to: Pointer) -> Any:
+        most, self._width = self._width - 1 if self._width > 0 else MOST_OF_A_WORD, 0
+        value = self._take(lambda one: one.take_all(lambda c: not c.isspace()) or None, most)
         if value is not None:
             write_text(to, value.encode("cp437"))
         return self
 
-    shift_right_char__pointer = shift_right_char_pointer
+    shift_right_char__pointer = shift_right_unsigned_char__pointer = shift_right_char_pointer
 
-    def shift_right_manipulator(self, v: manipulator) -> istream:
+    def shift_right_manipulator(self, v: manipulator) -> Any:
+        if v.kind == "ws":
+            self._skip_white()
         self.obey(v)
         return self
 
-    def get(self, to: Pointer | None = None) -> Any:
-        code = self._library.getchar()
+    def _skip_white(self) -> None:
+        while self.file is not None and self.peek() in (9, 10, 11, 12, 13, 32):
+            self.file.getc()
+
+    def get(self, to: Pointer | None = None, n: int = 0, end: int = 10) -> Any:
+        """A character, or with a count a line, whose end stays."""
+        if n:
+            assert to is not None
+            self.getline(to, n, end)
+            if self._count and self.file is not None:
+                self.file.ungetc(end)
+            return self
+        code = self.library.fgetc(self.file)
+        self._count = int(code != EOF)
+        if code == EOF:
+            self._ended()
         if to is None:
             return code
-        to.memory[to.at] = code & 0xFF
+        if code != EOF:
+            to.memory[to.at] = code
         return self
 
-    def getline(self, s: Pointer, n: int) -> istream:
-        write_text(s, self._library.line(n - 1))
-        return self
+    def getline(self, s: Pointer, n: int, end: int = 10) -> Any:
+        data = self.library.line(self.file, n - 1, end & 0xFF) if self.file is not None else None
+        self._count = len(data) if data is not None else 0
+        write_text(s, data or b"")
+        return self if data is not None else self._ended()
 
-    def ignore(self, n: int = 1, c: int = -1) -> istream:
+    def ignore(self, n: int = 1, c: int = EOF) -> Any:
         for _ in range(n):
-            if self._library.getchar() in (c, -1):
+            code = self.library.fgetc(self.file)
+            if code == EOF:
+                self._state |= END
+            if code in (c, EOF):
                 break
         return self
 
+    def read(self, s: Plain, n: int) -> Any:
+        data = self.file.read(n) if self.file is not None else b""
+        s.put(data)
+        self._count = len(data)
+        return self if len(data) == n else self._ended()
+
     def peek(self) -> int:
-        character = self._library._pc.getc()
-        self._library._pc.ungetc(character)
-        return character.encode("cp437")[0] if character else -1
+        code = self.library.fgetc(self.file)
+        return self.file.ungetc(code) if self.file is not None else code
+
+    def putback(self, c: int) -> Any:
+        if self.file is not None:
+            self.file.ungetc(c & 0xFF)
+        return self
+
+    def gcount(self) -> int:
+        return self._count
+
+    def sync(self) -> int:
+        return 0
+
+    def seekg(self, place: int, whence: int = 0) -> Any:
+        return self._seek(place, whence)
+
+    def tellg(self) -> int:
+        return self._tell()

@@ -7,22 +7,38 @@ from collections.abc import Mapping
 from typing import Any
 
 from bgi.turboc.runtime.memory import Record
+from bgi.turboc.runtime.plaindata import Layout, size_of
 
-_MEMBERS = re.compile(r"(?:unsigned char|unsigned|char|int|long) ([\w, ]+);")
+_LETTERS = {
+    **{"unsigned char": "B", "signed char": "b", "char": "b", "int": "h", "unsigned": "H"},
+    **{"long": "i", "unsigned long": "I", "double": "d"},
+}
+_MEMBERS = re.compile(rf"\b({'|'.join(sorted(_LETTERS, key=len, reverse=True))}) ([^;(*]+);")
+_ARRAY = re.compile(r"(\w+)\[(\d+)\]")
+
+
+def _layout(definition: str) -> list[tuple[str, Layout]]:
+    """The members of a C structure and how they lie in memory."""
+    found: list[tuple[str, Layout]] = []
+    for type_, names in _MEMBERS.findall(definition):
+        for name in names.split(","):
+            letter = _LETTERS[type_]
+            array = _ARRAY.fullmatch(name.strip())
+            found.append((array[1], (letter, int(array[2]))) if array else (name.strip(), letter))
+    return found
 
 
 def structure(name: str, definition: str) -> type[Record]:
     """A class with the members of a C structure, all 0."""
-    members = tuple(
-        one.strip() for group in _MEMBERS.findall(definition) for one in group.split(",")
-    )
+    layout = _layout(definition)
+    members = tuple(member for member, _ in layout)
 
     def begin(self: Any) -> None:
-        for member in members:
-            setattr(self, member, 0)
+        for member, one in layout:
+            setattr(self, member, bytearray(one[1]) if isinstance(one, tuple) else 0)
 
-    body = {"__slots__": members, "MEMBERS": members, "__init__": begin}
-    return type(name, (Record,), body)
+    body = {"__slots__": members, "MEMBERS": members, "__init__": begin, "LAYOUT": layout}
+    return type(name, (Record,), {**body, "SIZE": sum(size_of(one) for _, one in layout)})
 
 
 def _half(word: str, high: bool) -> property:
@@ -52,7 +68,7 @@ class ByteRegisters(Record):
 
 def structures(definitions: Mapping[str, str]) -> dict[str, type[Record]]:
     """All structures of the headers by name."""
-    made = {name: structure(name, text) for name, text in definitions.items() if "::" not in name}
+    made = {name: structure(name, text) for name, text in definitions.items()}
     words = made["WORDREGS"]
 
     class REGS(Record):
@@ -60,6 +76,8 @@ def structures(definitions: Mapping[str, str]) -> dict[str, type[Record]]:
 
         __slots__ = ("h", "x")
         MEMBERS = ("x",)
+        LAYOUT = (("x", words),)
+        SIZE = 16
 
         def __init__(self) -> None:
             self.x = words()

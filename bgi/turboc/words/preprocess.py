@@ -36,18 +36,18 @@ Loader = Callable[[str], str | None]
 
 
 def preprocess(
-    text: str, file: str, headers: Iterable[str], load: Loader, defined: Mapping[str, str]
+    text: str, file: str, headers: Mapping[str, str], load: Loader, defined: Mapping[str, str]
 ) -> Preprocessed:
     """Follow the directives of a program.
 
     Args:
         text: the program.
         file: what it is called.
-        headers: the names of the headers that there are, in lower case.
+        headers: the headers that there are, in lower case, and the text in each.
         load: finds files that are included.
         defined: macros that are defined from the beginning.
     """
-    found = _Preprocessor(frozenset(headers), load)
+    found = _Preprocessor(headers, load)
     for name, value in defined.items():
         words = tuple(word for word in tokens(value, "") if word.kind != "end")
         found.macros[name] = Macro(words)
@@ -57,7 +57,7 @@ def preprocess(
 
 
 class _Preprocessor:
-    def __init__(self, headers: frozenset[str], load: Loader) -> None:
+    def __init__(self, headers: Mapping[str, str], load: Loader) -> None:
         self._headers, self._load = headers, load
         self.macros: dict[str, Macro] = {}
         self.included: set[str] = set()
@@ -147,13 +147,19 @@ class _Preprocessor:
         if beside is not None:
             if self._depth >= DEEPEST:
                 raise CError(place, f"{name} is included too deeply: does it include itself?")
-            parts, depth = self._parts, self._depth
-            self.read(beside, name, depth + 1)
-            self._parts, self._depth = parts, depth
+            self._read_inside(beside, name)
         elif header in self._headers:
+            if header not in self.included and self._headers[header]:
+                self._read_inside(self._headers[header], header)
             self.included.add(header)
         else:
             raise CError(place, f"there is no file {name or text}")
+
+    def _read_inside(self, text: str, name: str) -> None:
+        """Read another file in the middle of this one."""
+        parts, depth = self._parts, self._depth
+        self.read(text, name, depth + 1)
+        self._parts, self._depth = parts, depth
 
     def _define(self, place: Place, rest: list[Token]) -> None:
         if not rest or rest[0].kind != "name":
