@@ -33,6 +33,9 @@ from bgi.turboc.checker.types import (
 from bgi.turboc.faults import CError, Place
 from bgi.turboc.grammar import nodes
 
+_OBJECT = 8
+"""What it costs to make an object of a value."""
+
 _NEVER = 1000
 """What it costs to convert what cannot be converted."""
 
@@ -56,7 +59,7 @@ def _cost(value: Value, type_: Type) -> int:
         if isinstance(given, StructType):
             return 2 if given.descends(type_) else _NEVER
         makers = type_.methods.get(type_.tag, [])
-        return 8 if any(_takes(one, 1) for one in makers) else _NEVER
+        return _OBJECT if any(_takes(one, 1) for one in makers) else _NEVER
     return _NEVER
 
 
@@ -117,6 +120,7 @@ class Calls(Values):
         library = self.headers.symbol(name.name)  # which a function of that name overloads
         usable = library is not None and _takes(library, len(given))
         own_fit = any(_takes(one, len(given)) and not _unsaid(one) for one in found)
+        own_fit = own_fit and any(self._near(one, given) for one in found)
         if found[0].kind == "function" and library is not None and usable and not own_fit:
             found = [library]
         return self.function(found, given, name.place)
@@ -246,6 +250,13 @@ class Calls(Values):
         assert isinstance(type_, FunctionType)
         pairs = zip(given, type_.parameters, strict=False)
         return _takes(symbol, len(given)) and all(_cost(*pair) < _NEVER for pair in pairs)
+
+    def _near(self, symbol: Symbol, given: list[Value]) -> bool:
+        """Whether a function takes values without making objects of them."""
+        type_ = symbol.type
+        assert isinstance(type_, FunctionType)
+        pairs = zip(given, type_.parameters, strict=False)
+        return not self.cplusplus or all(_cost(*pair) < _OBJECT for pair in pairs)
 
     def _exact(self, symbol: Symbol, given: list[Value]) -> bool:
         type_ = symbol.type

@@ -5,7 +5,6 @@ class complex {
     double re, im;
 public:
     complex(double r = 0, double i = 0) { re = r; im = i; }
-    friend double real(complex &z);
     double re_() { return re; }
     double im_() { return im; }
     complex operator-() { return complex(-re, -im); }

@@ -141,7 +141,7 @@ class TimeLibrary:
         year, month, day = when.tm_year, when.tm_mon, when.tm_mday
         weekday = (when.tm_wday + 1) % 7
         to.memory[to.at].filled(day=day, month=month, year=year, dayofweek=weekday)
-        self._note("_dos_getdate", (), (day, month, year))
+        self._note("_dos_getdate", (), (year, month, day))
 
     def settime(self, to: Pointer) -> None:
         """The clock is the whole computer's: it stays."""
