@@ -178,6 +178,7 @@ LAYERS = [
     "bgi.turboc.runtime.filelib",
     "bgi.turboc.runtime.folderlib",
     "bgi.turboc.runtime.manipulators",
+    "bgi.turboc.runtime.streambase",
     "bgi.turboc.runtime.streams",
     "bgi.turboc.runtime.filestreams",
     "bgi.turboc.runtime.headertexts",

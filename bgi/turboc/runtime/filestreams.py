@@ -10,7 +10,8 @@ from bgi.turboc.runtime.files import EOF, File
 from bgi.turboc.runtime.manipulators import APPEND, AT_END, EMPTY, FAILED, IN, NO_CREATE, OUT
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.stdiolib import StdioLibrary
-from bgi.turboc.runtime.streams import READING, WRITING, ios, istream, ostream
+from bgi.turboc.runtime.streambase import ios
+from bgi.turboc.runtime.streams import READING, WRITING, istream, ostream
 
 _OPENING = """@(); @(text name); @(text name, int mode); @(text name, int mode, int access);
 void open(text name); void open(text name, int mode); void open(text name, int mode, int access);

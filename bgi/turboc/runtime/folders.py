@@ -18,7 +18,7 @@ DEVICES = frozenset(["con", "prn", "nul", "aux", "lpt1", "lpt2", "com1", "com2"]
 """Names that were no files in DOS."""
 
 
-class Kept(io.BytesIO):
+class KeptFile(io.BytesIO):
     """A file in memory, whose bytes stay when it is closed."""
 
     def __init__(self, files: dict[str, bytes], name: str) -> None:
@@ -56,7 +56,7 @@ class MemoryFolder:
             return None
         if fresh:
             self._files[name] = b""
-        return Kept(self._files, name)
+        return KeptFile(self._files, name)
 
     def path(self, path: str, writing: bool) -> Path | None:
         """Where a file is on the disk: nowhere."""
