@@ -49,7 +49,8 @@ __version__ = "0.1.0"
 __all__ = [
     # Opening and closing graphics, errors, drivers and fonts (bgi.api.system)
     "detectgraph", "initgraph", "closegraph", "setgraphmode", "restorecrtmode", "getmoderange",
-    "graphresult", "grapherrormsg", "strict", "slow", "installuserdriver", "registerbgidriver",
+    "graphresult", "grapherrormsg", "strict", "slow", "magnifier", "installuserdriver",
+    "registerbgidriver",
     "registerfarbgidriver", "installuserfont", "registerbgifont", "registerfarbgifont",
     "setgraphbufsize", "_graphgetmem", "_graphfreemem",
     # The screen (bgi.api.screen)

@@ -98,6 +98,7 @@ class Adapter:
         if self.graphics is not None:
             new.path = self.graphics.path
         self.graphics = self.reached = new
+        self.monitor.describe = new.describe
         if self.crt is not None:
             self.crt.enter_graphics(new)
 

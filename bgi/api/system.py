@@ -28,7 +28,7 @@ from bgi.kernel.state import KERNEL
 # fmt: off
 __all__ = [
     "detectgraph", "initgraph", "closegraph", "setgraphmode", "restorecrtmode", "getmoderange",
-    "graphresult", "grapherrormsg", "strict", "slow",
+    "graphresult", "grapherrormsg", "strict", "slow", "magnifier",
     "installuserdriver", "registerbgidriver", "registerfarbgidriver",
     "installuserfont", "registerbgifont", "registerfarbgifont",
     "setgraphbufsize", "_graphgetmem", "_graphfreemem",
@@ -197,6 +197,27 @@ def slow(pixels_a_second: Number = 1000, step: bool = False) -> ExitStack:
     after = ExitStack()
     after.callback(current.be_slow, *before)
     return after
+
+
+def magnifier(times: Number = 16, follow: str = "mouse") -> None:
+    """Show a part of the picture enlarged, in a corner of the window, with a grid and colours.
+
+    Args:
+        times: how wide a pixel becomes, 1 to 64; 0 closes it.
+        follow: "mouse" for the pixel under the mouse, "pixels" for the one that was set last.
+
+    A line tells the pixel's x, y and colour. Ctrl-F6 does the same while a program runs, Ctrl-F8
+    changes what it follows, and Ctrl-F7 shows the palette, the pages and the viewport. It is no
+    part of the picture: getpixel(), saved files and recordings do not see it. ValueError for other
+    numbers and words. Source: this package.
+    """
+    number = whole("times", times)
+    if not 0 <= number <= 64:
+        raise ValueError(f"times must be 0 to 64, not {brief(number)}")
+    check_text("follow", follow)
+    if follow not in ("mouse", "pixels"):
+        raise ValueError(f'follow must be "mouse" or "pixels", not {brief(follow)}')
+    current.screen.monitor.magnify(number, follow)
 
 
 def grapherrormsg(code: Number) -> str:

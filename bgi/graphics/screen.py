@@ -144,6 +144,16 @@ class State:
         two = self._packed and self.mode.colors == 2
         return index | 1 if two and self._fill_rows != SOLID_ROWS else index
 
+    def describe(self) -> list[str]:
+        """What there is to know about it, for the board that the window shows."""
+        view, here = self.settings.view, self.settings
+        corners = f"{view.left} {view.top} {view.right} {view.bottom}"
+        return [
+            f"viewport {corners}{', clipping' if view.clip else ''}",
+            f"active page {self._active}, at {here.x}, {here.y}",
+            f"color {here.color}, fill {here.fill.pattern} in {here.fill.color}",
+        ]
+
     # The screen
 
     def getmaxx(self) -> int:

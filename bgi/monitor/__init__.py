@@ -30,6 +30,9 @@ _ASKED_FOR: dict[str, type[Window]] = {"window": Window, "web": PageWindow}
 class Monitor(Protocol):
     """What a program may ask of a monitor; any of it raises BGIError once the monitor is lost."""
 
+    describe: Callable[[], list[str]]
+    """What the board says of the program's screen, a line each; another thread may ask."""
+
     def show(self) -> None:
         """Return when the visible page, as it is now, has been shown."""
 
@@ -70,6 +73,9 @@ class Monitor(Protocol):
 
     def notebook_html(self) -> str:
         """What a notebook shows of the screen while it runs; "" where that is a picture."""
+
+    def magnify(self, times: int, follows: str) -> None:
+        """Enlarge what is at the `mouse`, or the `pixels` that are set last; 0: no more."""
 
     def linger(self) -> None:
         """The program has ended: let the screen be read, if somebody is there. Never raises."""

@@ -6,6 +6,7 @@ program goes: at the end of its input, or when it finds itself adopted by anothe
 """
 
 import contextlib
+import math
 import os
 import queue
 import signal
@@ -28,6 +29,7 @@ from bgi.monitor.speaker import Speaker
 # Seconds.
 NAP, IDLE_NAP = 0.004, 0.010  # between two looks for events; pygame's own wait looks every 0.001
 LINGER = 60  # at most, to finish a recording
+FACTS_SECONDS = 0.5  # between two questions about the program's screen, while the board is shown
 
 Inbox = queue.SimpleQueue[tuple[str, str]]
 
@@ -50,6 +52,8 @@ class Child:
         self._free = 0.0  # no present before this moment
         self._lively = time.monotonic()  # when something has happened last
         self._over = False
+        self._facts_due = math.inf  # when the program is to be asked about its screen
+        overlays = self._display.overlays
         self._inputs = Inputs(
             self._display,
             self._send,
@@ -58,6 +62,9 @@ class Child:
                 (pygame.K_RETURN, pygame.KMOD_ALT): self._display.toggle_full,
                 (pygame.K_F12, 0): self._display.save,
                 (pygame.K_F5, pygame.KMOD_CTRL): self._toggle_recording,
+                (pygame.K_F6, pygame.KMOD_CTRL): overlays.enlarge,
+                (pygame.K_F7, pygame.KMOD_CTRL): self._toggle_board,
+                (pygame.K_F8, pygame.KMOD_CTRL): overlays.follow,
             },
         )
         self._orders: dict[str, Callable[[str], None]] = {
@@ -70,6 +77,8 @@ class Child:
             "limits": lambda rest: self._inputs.limit(*map(int, rest.split())),
             "record": self._record_as_planned,
             "notice": self._display.notice,
+            "lens": self._use_lens,
+            "facts": self._take_facts,
             "close": lambda rest: self._close(),
             "end": lambda rest: self._end(),
         }
@@ -89,6 +98,7 @@ class Child:
                     reaction()
                 self._inputs.handle(event)
             self._inputs.flush()
+            self._ask_for_facts()
             self._present()
             self._display.end_notice()
         self._stop_recording()
@@ -130,6 +140,26 @@ class Child:
         # If the program does not read, its pipe is full: then it learns of it next time.
         if self._asked and self._send("shown", self._asked, self._display.presents):
             self._asked = ""
+
+    # What lies over the picture
+
+    def _use_lens(self, rest: str) -> None:
+        from bgi.monitor.lens import Lens
+
+        times, follows = rest.split()
+        self._display.overlays.use_lens(Lens(int(times), follows == "pixels"))
+
+    def _toggle_board(self) -> None:
+        self._display.overlays.toggle_board()
+        self._facts_due = 0.0 if self._display.overlays.board else math.inf
+
+    def _ask_for_facts(self) -> None:
+        if time.monotonic() >= self._facts_due:
+            self._facts_due = time.monotonic() + FACTS_SECONDS
+            self._send("facts")
+
+    def _take_facts(self, text: str) -> None:
+        self._display.overlays.facts = tuple(text.splitlines())
 
     # Recording
 

@@ -9,6 +9,7 @@ from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame, quietly
 from bgi.monitor import art
 from bgi.monitor.letters import at_moment
+from bgi.monitor.overlays import Overlays
 from bgi.monitor.picture import Shape, fit, inside, largest, shot, surface
 from bgi.monitor.protocol import TITLE
 
@@ -35,6 +36,7 @@ class Display:
         self._resized = False  # by the user, whose wish it then is
         self._size = 0, 0  # of the window, while it fills the whole screen
         self._pointer: tuple[int, int] | None = None
+        self.overlays = Overlays(card)
         os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")
         if sys.platform == "linux":
             # Without a graphics processor a copy in shared memory beats OpenGL tenfold.
@@ -60,11 +62,12 @@ class Display:
         palette = self._card.colors()
         if frame is None:
             return False
-        drawn = frame, palette, self._pointer
+        over = self._pointer, self.overlays.state(self._mouse())
+        drawn = frame, palette, over
         frame = at_moment(frame, time.monotonic())
-        if (frame, palette, self._pointer) == self._shown:
+        if (frame, palette, over) == self._shown:
             return False
-        self._shown = frame, palette, self._pointer
+        self._shown = frame, palette, over
         self.blinked, self._drawn = drawn == self._drawn, drawn
         shape = Shape(frame.width, frame.height, frame.square)
         if shape != self._shape:
@@ -85,6 +88,11 @@ class Display:
         scale(self._page, self._place.size, self._view)
         if self._scan_lines:
             self._darken()
+        self.overlays.draw(self._view, frame, palette, self._mouse())
+
+    def _mouse(self) -> tuple[int, int]:
+        """The pixel of the page that the mouse is at."""
+        return self.to_page(pygame.mouse.get_pos())
 
     def _darken(self) -> None:
         """Between the lines of a picture tube it is dark, where there is room for that."""

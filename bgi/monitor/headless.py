@@ -58,6 +58,7 @@ class Headless:
     ) -> None:
         self.shown = 0
         self.title = title
+        self.describe: Callable[[], list[str]] = list
         self.sounds: list[tuple[float, int]] = []
         self._mouse = Mouse(lambda *message: None)
         self._owner = os.getpid()
@@ -183,6 +184,9 @@ class Headless:
     def notebook_html(self) -> str:
         """Nothing: a notebook shows a picture."""
         return ""
+
+    def magnify(self, times: int, follows: str) -> None:
+        """Nobody is there to look."""
 
     def linger(self) -> None:
         """Print what stands on the text screen: the terminal is all that there is to read it on."""

@@ -12,6 +12,9 @@ to the window             meaning
                           `bgi.monitor.art.from_masks` has them; without numbers: its own
 ``move X Y``              put the pointer on that pixel
 ``limits L T R B``        keep the pointer in there; without numbers: everywhere
+``lens TIMES FOLLOWS``    enlarge so many times, 0 for no more, what is at the ``mouse``, or
+                          the ``pixels`` that are set last
+``facts TEXT``            what the program's screen is like, a line each
 ``record FILE``           record what is on show from now on, until the end
 (end of input)            the program has ended: go
 ========================  ==============================================================
@@ -29,6 +32,7 @@ to the program            meaning
 ``shown N PRESENTS``      picture N is on show, the PRESENTS-th since the start
 ``recording``             something is being recorded: writing it will take its time
 ``recorded FAILURE``      the recording asked for is written, or what kept it from being
+``facts``                 how is the program's screen?
 ``closed``                the user has closed the window
 ``address HOST PORT``     where a browser finds the page; more of it: `TOKEN`, and `wide`
                           (or `local`) if other machines reach it

@@ -55,6 +55,7 @@ class Window:
         self._plan = plan or Plan()
         self.presents = 0  # how many pictures the window has put on the screen
         self._on_lost = on_lost
+        self.describe: Callable[[], list[str]] = list
         self._read: Frame | None = None  # the text screen at the last key
         self._owner = os.getpid()
         neighbour = beside if isinstance(beside, Window) else None
@@ -193,6 +194,11 @@ class Window:
         self._title = title
         self._send("title", title)
 
+    def magnify(self, times: int, follows: str) -> None:
+        """Enlarge what is at the `mouse`, or the `pixels` set last; 0: no more."""
+        self._check()
+        self._send("lens", times, follows)
+
     def notebook_html(self) -> str:
         """Nothing: a notebook shows a picture."""
         return ""
@@ -266,6 +272,8 @@ class Window:
             case "held":
                 shifts, *names = rest.split()
                 self._keys.hold(self, int(shifts), frozenset(names))
+            case "facts":
+                self._send("facts", "\n".join(self.describe()))
             case "recording":
                 self._end_seconds = SAVE_SECONDS
             case "recorded":

@@ -90,6 +90,7 @@ OTHERS: dict[str, list[Any]] = {
     "palette": ["123", 7, None, {}, range(BILLION), ["a"], [None], [float("nan")]],
     "points": ["1 2", 7, None, {}, [1, 2, 3], [(1, 2), (3,)], ENDLESS, DEEP, *NO_ARRAY],
     "flat": ["1 2", 7, {}, ENDLESS],
+    "follow": [*NO_TEXT, "", "nothing", "x" * 10**6],
     "handler": [7, "f", {}, np.zeros(2)],
     "detect": [7, "f", {}, np.zeros(2)],
 }
