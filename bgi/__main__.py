@@ -147,7 +147,9 @@ def _add_c(parser: argparse.ArgumentParser) -> None:
         "-D", action="append", default=[], metavar="NAME=VALUE", help="define a macro"
     )
     group.add_argument("--trace", metavar="FILE", help="write a line for each call of the library")
-    group.add_argument("--script", metavar="A", help="keys and a clock that are always the same")
+    group.add_argument(
+        "--script", metavar="A|B|FILE", help="keys and a clock that are always the same"
+    )
     group.add_argument("--files", action="store_true", help="let it write files in its folder")
 
 

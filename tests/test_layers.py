@@ -157,6 +157,7 @@ LAYERS = [
     "bgi.turboc.runtime.plaindata",
     "bgi.turboc.runtime.trace",
     "bgi.turboc.runtime.scripted",
+    "bgi.turboc.runtime.scriptfile",
     "bgi.turboc.runtime.livepc",
     "bgi.turboc.runtime.folders",
     "bgi.turboc.runtime.session",

@@ -32,7 +32,7 @@ def run_c(
         folders: where else files lie that it includes.
         defined: macros, as `NAME` or `NAME=VALUE`.
         trace: a file that gets a line for each call of the library.
-        script: A or B, for keys and a clock that are always the same.
+        script: A, B or a file, for keys, typed text, a mouse and a clock that are always the same.
         files: whether it may write files in its folder.
     """
     macros = dict((f"{one}=1" if "=" not in one else one).split("=", 1) for one in defined)
@@ -44,7 +44,11 @@ def run_c(
         return 1
     if check:
         return 0
-    session = Session(Path(trace) if trace else None, script, Path(path).parent, files)
+    try:
+        session = Session(Path(trace) if trace else None, script, Path(path).parent, files)
+    except ValueError as error:
+        print(f"bgi: {error}", file=sys.stderr)
+        return 2
     try:
         return program.run(session, arguments)
     except CError as error:

@@ -17,6 +17,7 @@ from bgi.turboc.emitter.emit import Emitted, emit
 from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
 from bgi.turboc.grammar.parser import parse
 from bgi.turboc.runtime import library, memory
+from bgi.turboc.runtime.headertexts import REFUSED
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.plaindata import Plain
 from bgi.turboc.runtime.session import Session
@@ -74,7 +75,7 @@ class Runnable:
         self.file = os.path.basename(path)
         self.sources: dict[str, list[str]] = {}
         self.folders = [os.path.dirname(os.path.abspath(path)), *folders]
-        self._headers = Headers(library.FUNCTIONS, library.CONSTANTS, library.TYPES)
+        self._headers = Headers(library.FUNCTIONS, library.CONSTANTS, library.TYPES, REFUSED)
         with open(path, "rb") as file:
             text = self._keep(self.file, decode(file.read()))
         cplusplus = path.lower().endswith((".cpp", ".cc", ".cxx"))

@@ -100,7 +100,7 @@ def _points(value: Value, type_: PointerType, forced: bool) -> bool:
         return True
     if isinstance(value, Constant) and value.value == 0:
         return True
-    return forced and isinstance(value.type, IntType) and isinstance(type_.to, FunctionType)
+    return forced and isinstance(value.type, IntType)
 
 
 def _referred(value: Value, type_: ReferenceType) -> Value:

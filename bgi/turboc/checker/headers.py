@@ -48,7 +48,7 @@ _KNOWN: dict[str, Type] = {
         "ptrdiff_t": INT,
     },
     **dict.fromkeys(("streampos", "streamoff", "fpos_t"), LONG),
-    **{"va_list": PointerType(VOID), "streamsize": INT},
+    **{"va_list": PointerType(VOID), "streamsize": INT, "jmp_buf": ArrayType(INT, 10)},
     **dict.fromkeys(_ENUMS.split(), INT),
 }
 
@@ -61,14 +61,17 @@ class Headers:
         functions: Mapping[str, str],
         constants: Mapping[str, int | float],
         types: Mapping[str, str],
+        refused: Mapping[str, str],
     ) -> None:
         """
         Args:
             functions: the declaration of each: `int @(int x)`, with `@` for the name.
             constants: their values.
             types: structs and classes, as C++ writes them.
+            refused: names of the headers that are not here, and why.
         """
         self._functions, self._constants, self._structs = functions, constants, types
+        self.refused = refused
         self._symbols: dict[str, Symbol] = {}
         self._types = dict(_KNOWN)
 

@@ -145,6 +145,8 @@ class Meaning:
             names |= set(scope.names)
             scope = scope.outer
         self.top.names[name] = [Symbol(name, type_, place, "global", name)]
+        if name in self.headers.refused:
+            return CError(place, f"{name} {self.headers.refused[name]}")
         return CError(place, f"there is no {name}{self._guess(name, names)}")
 
     def _guess(self, name: str, names: set[str] | list[str]) -> str:

@@ -218,12 +218,21 @@ class ValueWriter(Objects):
         return f"single({text})" if type_ == FLOAT and operand.type != FLOAT else text
 
     def _pointer(self, type_: PointerType, operand: Value) -> str:
-        if isinstance(operand, Constant) or isinstance(operand.type, IntType):
+        zero = isinstance(operand, Constant) and not operand.value
+        number = isinstance(operand.type, IntType)
+        if zero or (number and isinstance(type_.to, FunctionType)):
             return "None"
         text = self.value(operand)
+        if number:  # segment and offset, as in (char far *)0xB8000000
+            self.used.add("far_pointer")
+            text = f"far_pointer({text})"
         bytes_ = (CHAR, UCHAR, VOID)
         from_ = operand.type.to if isinstance(operand.type, PointerType) else VOID
-        if from_ in bytes_ and type_.to not in bytes_ and not isinstance(type_.to, FunctionType):
+        if (
+            (from_ in bytes_ or number)
+            and type_.to not in bytes_
+            and not isinstance(type_.to, FunctionType)
+        ):
             one = innermost(type_.to)
             if one not in bytes_:
                 return f"typed({text}, {size(one)}, lambda n: {self.many(one, 'n')})"

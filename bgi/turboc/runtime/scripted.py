@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+
+from bgi.monitor.script import parse_script
+
 NOON = 708_609_600
 """When it begins, in seconds since 1970: 15 June 1992, 12:00."""
 
@@ -17,48 +21,50 @@ TYPED = {
 }
 """What is typed for scanf() and its like, a line each, for ever."""
 
-KEYS: list[int | str] = [
-    13,
-    "1",
-    " ",
-    0x14D,
-    "2",
-    0x150,
-    "a",
-    13,
-    0x14B,
-    "3",
-    "d",
-    0x148,
-    "w",
-    "y",
-    "s",
-    13,
-]
-KEYS += [0x13B, "+", "-", "4"]
-ENDLESS: list[int | str] = [
-    27,
-    "q",
-    13,
-    "n",
-    "x",
-    "0",
-    "5",
-    "6",
-    "7",
-    "8",
-    "9",
-    "4",
-    "y",
-    "Q",
-    "X",
-    "e",
-]
-"""Keys that are pressed once KEYS are through; extended ones have 0x100 before their scan code."""
+KEYS = "Enter 1 Space Right 2 Down a Enter Left 3 d Up w y s Enter F1 + - 4"
+"""Keys that are pressed one after the other."""
+
+ENDLESS = "Esc q Enter n x 0 5 6 7 8 9 4 y Q X e"
+"""Those that are pressed once the others are through, again and again."""
 
 PLACES = [(100, 100), (200, 150), (320, 240), (50, 400), (600, 20)]
 PLACES += [(320, 10), (10, 10), (635, 470), (400, 300), (150, 450)]
 """Where the mouse is, for eight questions each."""
+
+_LOOKS = 8
+"""Of a program at each place."""
+
+
+def _looks() -> list[tuple[int, int, int]]:
+    """What a program sees of the mouse, look for look: the buttons that are down, and the place."""
+    seen = []
+    for number, (x, y) in enumerate(PLACES):
+        for step in range(_LOOKS):
+            right = step == 6 and number % 5 == 4
+            seen.append((1 if step in (4, 5) else 2 if right else 0, x, y))
+    return seen
+
+
+def codes(words: str) -> list[int]:
+    """The codes of keys by their names; ValueError for a word that is none."""
+    found = []
+    for press in parse_script(words):
+        keystroke = press.keystroke
+        extended = len(keystroke) == 2
+        found.append(0x100 | keystroke[1] if extended else keystroke[0])
+    return found
+
+
+@dataclass
+class Script:
+    """What a scripted PC does."""
+
+    typed: str
+    keys: list[int] = field(default_factory=lambda: codes(KEYS))
+    endless: list[int] = field(default_factory=lambda: codes(ENDLESS))
+    looks: list[tuple[int, int, int]] = field(default_factory=_looks)
+    start: int = NOON
+
 
 _ROWS = "\x1b1234567890-=\b\tqwertyuiop[]\r\0asdfghjkl;'`\0\\zxcvbnm,./"
 
@@ -74,10 +80,10 @@ def _scan(code: int) -> int:
 class Scripted:
     """Answers what a program asks of the PC."""
 
-    def __init__(self, typed: str, keys: list[int] | None = None) -> None:
-        self._typed = typed
+    def __init__(self, script: Script) -> None:
+        self._script = script
+        self._typed = script.typed
         self._at = 0
-        self._keys = [ord(k) if isinstance(k, str) else k for k in KEYS] if keys is None else keys
         self._taken = self._polls = 0
         self._waiting: list[int] = []
         self._milliseconds = 0
@@ -99,10 +105,10 @@ class Scripted:
     # The keyboard
 
     def _key(self) -> int:
-        if self._taken < len(self._keys):
-            return self._keys[self._taken]
-        key = ENDLESS[(self._taken - len(self._keys)) % len(ENDLESS)]
-        return ord(key) if isinstance(key, str) else key
+        keys, endless = self._script.keys, self._script.endless
+        if self._taken < len(keys):
+            return keys[self._taken]
+        return endless[(self._taken - len(keys)) % len(endless)]
 
     def _take(self) -> int:
         key = self._key()
@@ -157,21 +163,20 @@ class Scripted:
 
     def now(self) -> float:
         """Seconds since 1970."""
-        return NOON + self.milliseconds() / 1000
+        return self._script.start + self.milliseconds() / 1000
 
     def seed(self) -> int:
         """What randomize() begins with."""
-        return NOON + self._milliseconds // 1000
+        return self._script.start + self._milliseconds // 1000
 
     # The mouse, and ports
 
     def mouse(self, look: bool = True) -> tuple[int, int, int]:
         """Buttons and place."""
-        block, step = divmod(self._looks, 8)
-        x, y = PLACES[block % 10]
-        buttons = 1 if step in (4, 5) else 2 if step == 6 and block % 5 == 4 else 0
+        looks = self._script.looks
+        seen = looks[self._looks % len(looks)]
         self._looks += look
-        return buttons, x, y
+        return seen
 
     def port(self, number: int) -> int:
         """What a port gives."""
@@ -186,4 +191,9 @@ class Scripted:
 
 def script(name: str) -> Scripted:
     """The scripts A and B."""
-    return Scripted(TYPED[name].replace(" ", "\n") + "\n")
+    return Scripted(Script(typed_lines(TYPED[name])))
+
+
+def typed_lines(words: str) -> str:
+    """Words as they are typed, a line each."""
+    return words.replace(" ", "\n") + "\n"

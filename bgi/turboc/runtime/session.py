@@ -11,7 +11,8 @@ from bgi import conio, current
 from bgi.errors import BGIError, WindowClosed
 from bgi.turboc.runtime.folders import DiskFolder, Folder, MemoryFolder
 from bgi.turboc.runtime.livepc import LivePC
-from bgi.turboc.runtime.scripted import Scripted, script
+from bgi.turboc.runtime.scripted import Scripted
+from bgi.turboc.runtime.scriptfile import scripted
 from bgi.turboc.runtime.trace import Trace
 
 SECONDS = 12
@@ -49,13 +50,13 @@ class Session:
         """
         Args:
             trace: the file that gets the trace, None for none.
-            script_name: A or B, None for the keyboard and the clock of the window.
+            script_name: A, B or a file, None for the keyboard and the clock of the window.
             folder: where its files are; a scripted program that may not write sees an empty one.
             files: whether it may write them.
         """
         self.trace = Trace(_stop) if trace else None
         self._trace_file = trace
-        self.pc: Scripted | LivePC = script(script_name) if script_name else LivePC()
+        self.pc: Scripted | LivePC = scripted(script_name) if script_name else LivePC()
         self.scripted = script_name is not None
         in_memory = self.scripted and not files
         self.folder: Folder = MemoryFolder() if in_memory else DiskFolder(folder, files)
