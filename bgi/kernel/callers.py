@@ -25,6 +25,8 @@ def line() -> str:
         return ""
     file = frame.f_code.co_filename
     source = linecache.getline(file, frame.f_lineno, frame.f_globals).strip()
+    if file.startswith("<"):  # no file: a notebook's cell, or a C program, which says it all itself
+        return source
     return f"{os.path.basename(file)}:{frame.f_lineno}: {source}"
 
 

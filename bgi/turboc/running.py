@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import linecache
 import math
 import os
 import sys
@@ -136,6 +137,11 @@ class Runnable:
 
     def load(self, session: Session) -> dict[str, Any]:
         """The program in Python: its names, with its global variables as they are at first."""
+        said = [
+            f"{place.file}:{place.line}: {self.line(place).strip()}\n"
+            for place in self.emitted.places
+        ]
+        linecache.cache[PROGRAM] = (0, None, said, PROGRAM)  # for whoever asks what a line is
         found = library.names(session)
         names = {**_HELPERS, "__name__": "program"}
         names |= {name: found[name] for name in self.emitted.used}

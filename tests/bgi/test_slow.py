@@ -219,6 +219,19 @@ def test_a_program_can_be_stepped_through(tmp_path: Path) -> None:
     assert run(program, "--step", "--keys", "Esc").stderr == "two.py:3: line(0, 0, 9, 9)\n"
 
 
+def test_so_can_a_program_in_c(tmp_path: Path) -> None:
+    program = tmp_path / "TWO.C"
+    program.write_text(
+        "#include <graphics.h>\nvoid main()\n{ int gd = DETECT, gm;\n"
+        'initgraph(&gd, &gm, "");\n  line(0, 0, 9, 9);\n  circle(50, 50, 9); }\n'
+    )
+    done = run(program, "--step", "--keys", "1 2")
+    assert done.stderr.splitlines() == [
+        "TWO.C:5: line(0, 0, 9, 9);",
+        "TWO.C:6: circle(50, 50, 9); }",
+    ]
+
+
 def test_a_wrong_pace_on_the_command_line(tmp_path: Path) -> None:
     done = run(tmp_path / "none.py", "--slow", "quick")
     assert done.returncode == 2 and "it is a number of pixels a second" in done.stderr
