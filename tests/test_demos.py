@@ -271,6 +271,12 @@ class TestWheel:
         assert demos == {path.name for path in DEMOS.glob("*.py")}
         assert not (installed / "bgi" / "demos.py").exists()
 
+    def test_has_the_page_of_the_web_monitor(self, installed):
+        folder = Path("bgi/monitor/web/page")
+        files = sorted(file.name for file in (ROOT / folder).iterdir())
+        assert "index.html" in files
+        assert sorted(file.name for file in (installed / folder).iterdir()) == files
+
     def test_has_the_gallery_and_every_picture(self, installed, tmp_path):
         folder = tmp_path / "empty"
         folder.mkdir()

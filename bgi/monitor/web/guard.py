@@ -63,8 +63,8 @@ class Guard:
     @property
     def framers(self) -> str:
         """Whose pages may hold ours in a frame: those of notebooks, here and behind proxies."""
-        local = "http://localhost:* http://127.0.0.1:*"
-        return " ".join(["'self'", local, *(f"https://{name}" for name in sorted(self._proxies))])
+        names = ("localhost", "127.0.0.1", *sorted(self._proxies))
+        return " ".join(["'self'", *(f"http://{name}:* https://{name}:*" for name in names)])
 
     def _is_ours(self, name: str) -> bool:
         return name in self._names or (self.wide and _is_number(name))

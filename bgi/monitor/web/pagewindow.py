@@ -80,7 +80,7 @@ class PageWindow(Window):
         hub = os.environ.get("JUPYTERHUB_SERVICE_PREFIX")
         source = f"{hub}proxy/{self._port}/#{self._token}" if hub else self.url
         return (
-            f'<iframe src="{source}" width="700" height="560" style="border: 0" '
+            f'<iframe src="{source}" width="660" height="525" style="border: 0; max-width: 100%" '
             'allow="fullscreen; autoplay"></iframe>'
         )
 

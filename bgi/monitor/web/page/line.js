@@ -1,6 +1,6 @@
 // The line to the program: a WebSocket, opened again whenever it is lost.
 
-const RETRY = 1000; // milliseconds
+const RETRY = 1000, NEXT = 200; // milliseconds
 const GONE = 1000, ENDED = 4000, LEFT = 4001, FULL = 4002, REFUSED = 1008;
 
 // What the page that was opened by the program's address has behind its #. It is taken out of the
@@ -51,12 +51,9 @@ export class Line {
     } catch {
       // nobody listens there
     }
-    if (door?.status === 403) {
-      if (!this.#ended) this.onState("refused", await door.text());
-      return;
-    }
+    if (door?.status === 403 && !this.#ended) return this.onState("refused", await door.text());
     if (!door?.ok) {
-      if (!this.#ended) this.onState("lost");
+      this.onState(this.#ended ? "ended" : "lost");
       setTimeout(() => this.#open(), RETRY);
       return;
     }
@@ -79,8 +76,11 @@ export class Line {
   }
 
   #close(code, reason) {
+    if (code === FULL) return this.onState("full");
+    if (code === REFUSED) return this.onState("refused", reason);
     this.#ended = code === ENDED;
-    this.onState({ [ENDED]: "ended", [FULL]: "full", [REFUSED]: "refused" }[code] ?? "lost", reason);
-    if (code !== FULL && code !== REFUSED) setTimeout(() => this.#open(), RETRY);
+    if (!this.#ended) this.onState("lost");
+    // Where a screen was closed the program may open another.
+    setTimeout(() => this.#open(), this.#ended ? NEXT : RETRY);
   }
 }
