@@ -44,6 +44,9 @@ VARIABLES = {
 """The options that are for the program's monitor."""
 
 
+CTRL_C = 130
+"""The exit status of a C program that is ended by it."""
+
 ENDINGS = (".c", ".cpp", ".cc", ".cxx")
 """Of the files that are C programs, in any case."""
 
@@ -76,6 +79,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with on_screen() if options.console else nullcontext():
             status = _run_c(program, rest, options) if is_c else _run(program, rest)
             current.end()
+    except KeyboardInterrupt:
+        if not is_c:
+            raise
+        status = CTRL_C
     finally:
         current.close_screen()
         unwritten = [file for file in planned if not _was_written(file)]
@@ -157,16 +164,21 @@ def _run_c(program: str, arguments: list[str], options: argparse.Namespace) -> i
     """Run a C program; returns the exit status."""
     from bgi.turboc.command import run_c  # late, as only C programs need it
 
-    return run_c(
-        program,
-        arguments,
-        check=options.check,
-        folders=options.I,
-        defined=options.D,
-        trace=options.trace,
-        script=options.script,
-        files=options.files,
-    )
+    try:
+        return run_c(
+            program,
+            arguments,
+            check=options.check,
+            folders=options.I,
+            defined=options.D,
+            trace=options.trace,
+            script=options.script,
+            files=options.files,
+        )
+    except BaseException as error:
+        if isinstance(error, KeyboardInterrupt) and not ending.reason(error):
+            raise
+        return _report(error)
 
 
 def _script(text: str) -> str:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
+from itertools import takewhile
 from pathlib import Path
 
-from bgi.errors import NobodyThere
 from bgi.turboc.faults import CError, CErrors, shown
 from bgi.turboc.running import Runnable
 from bgi.turboc.runtime.session import Session
+
+ENDINGS = (".c", ".cpp", ".cc", ".cxx")
+"""Of the files that are C programs, in any case."""
 
 
 def run_c(
@@ -27,7 +31,7 @@ def run_c(
 
     Args:
         path: its file.
-        arguments: the words behind it.
+        arguments: the words behind it: the other files of the program, then what main() gets.
         check: whether it is only looked at.
         folders: where else files lie that it includes.
         defined: macros, as `NAME` or `NAME=VALUE`.
@@ -36,12 +40,16 @@ def run_c(
         files: whether it may write files in its folder.
     """
     macros = dict((f"{one}=1" if "=" not in one else one).split("=", 1) for one in defined)
+    others = [*takewhile(is_source, arguments)]
     try:
-        program = Runnable(path, macros, folders)
+        program = Runnable(path, macros, folders, others)
     except CErrors as found:
         for error in found.errors:
-            print(shown(error, _line(path, error)), file=sys.stderr)
+            _tell(error, path, _line([path, *others], error))
         return 1
+    except OSError as error:
+        print(f"bgi: {error.filename} cannot be read: {error.strerror}", file=sys.stderr)
+        return 2
     if check:
         return 0
     try:
@@ -50,19 +58,28 @@ def run_c(
         print(f"bgi: {error}", file=sys.stderr)
         return 2
     try:
-        return program.run(session, arguments)
+        return program.run(session, arguments[len(others) :])
     except CError as error:
-        print(shown(error, program.line(error.place)), file=sys.stderr)
+        _tell(error, path, program.line(error.place))
         return 3
-    except NobodyThere as end:
-        print(f"bgi: {end}", file=sys.stderr)
-        return 0
 
 
-def _line(path: str, error: CError) -> str:
+def is_source(file: str) -> bool:
+    """Whether a word is the name of a file in C or C++."""
+    return file.lower().endswith(ENDINGS)
+
+
+def _tell(error: CError, path: str, line: str) -> None:
+    """Print an error, with its line."""
+    where = "" if error.place.line else f"{os.path.basename(path)}: "
+    print(where + shown(error, line), file=sys.stderr)
+
+
+def _line(paths: Sequence[str], error: CError) -> str:
     """The line of a source that an error is in."""
-    file = Path(path).parent / error.place.file
-    if not file.is_file():
-        return ""
-    lines = file.read_bytes().decode("cp437").splitlines()
-    return lines[error.place.line - 1] if 0 < error.place.line <= len(lines) else ""
+    for folder in (Path(path).parent for path in paths):
+        file = folder / error.place.file
+        if file.is_file():
+            lines = file.read_bytes().decode("cp437").splitlines()
+            return lines[error.place.line - 1] if 0 < error.place.line <= len(lines) else ""
+    return ""

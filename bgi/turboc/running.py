@@ -17,6 +17,8 @@ from bgi.turboc.checker.headers import Headers
 from bgi.turboc.emitter.emit import Emitted, emit
 from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
 from bgi.turboc.grammar.parser import parse
+from bgi.turboc.grammar.tree import Program
+from bgi.turboc.linking import linked
 from bgi.turboc.runtime import library, memory
 from bgi.turboc.runtime.headertexts import REFUSED
 from bgi.turboc.runtime.memory import Pointer
@@ -71,26 +73,46 @@ _HELPERS: dict[str, Any] = {
 class Runnable:
     """A program that has been understood."""
 
-    def __init__(self, path: str, defined: dict[str, str], folders: Sequence[str] = ()) -> None:
-        """Read a program; CErrors holds all that is wrong with it."""
+    def __init__(
+        self,
+        path: str,
+        defined: dict[str, str],
+        folders: Sequence[str] = (),
+        others: Sequence[str] = (),
+    ) -> None:
+        """Read a program; CErrors holds all that is wrong with it.
+
+        Args:
+            path: its file.
+            defined: macros.
+            folders: where else files lie that it includes.
+            others: the other files of the same program.
+        """
+        paths = [path, *others]
         self.file = os.path.basename(path)
         self.sources: dict[str, list[str]] = {}
-        self.folders = [os.path.dirname(os.path.abspath(path)), *folders]
+        own = dict.fromkeys(os.path.dirname(os.path.abspath(one)) for one in paths)
+        self.folders = [*own, *folders]
         self._headers = Headers(library.FUNCTIONS, library.CONSTANTS, library.TYPES, REFUSED)
-        with open(path, "rb") as file:
-            text = self._keep(self.file, decode(file.read()))
-        cplusplus = path.lower().endswith((".cpp", ".cc", ".cxx"))
+        texts = {}
+        for one in paths:
+            with open(one, "rb") as file:
+                name = os.path.basename(one)
+                texts[name] = self._keep(name, decode(file.read()))
+        cplusplus = any(one.lower().endswith((".cpp", ".cc", ".cxx")) for one in paths)
         try:
-            self.emitted = self._understood(text, cplusplus, defined)
+            self.emitted = self._understood(texts, cplusplus, defined)
         except CErrors:
             try:  # many a .C was compiled as C++
-                self.emitted = self._understood(text, not cplusplus, defined)
+                self.emitted = self._understood(texts, not cplusplus, defined)
                 return
             except CErrors:
                 pass
             raise
 
-    def _understood(self, text: str, cplusplus: bool, defined: dict[str, str]) -> Emitted:
+    def _understood(
+        self, texts: dict[str, str], cplusplus: bool, defined: dict[str, str]
+    ) -> Emitted:
         """The program in Python; CErrors holds all that is wrong with it."""
         macros = {
             **PREDEFINED,
@@ -98,14 +120,11 @@ class Runnable:
             **({"__cplusplus": "1"} if cplusplus else {}),
             **defined,
         }
-        read = preprocess(text, self.file, library.HEADERS, self._load, macros)
-        if read.errors:
-            raise CErrors(read.errors)
         before = sys.getrecursionlimit()
         sys.setrecursionlimit(DEEPEST)
         try:
-            tree = parse(read.tokens, self._headers.types, cplusplus, read.headers)
-            emitted = emit(check(tree, self._headers, cplusplus), self._headers)
+            trees = [self._parsed(*one, cplusplus, macros) for one in texts.items()]
+            emitted = emit(check(linked(trees), self._headers, cplusplus), self._headers)
             self.code = compile(emitted.text, PROGRAM, "exec", dont_inherit=True)
         except SyntaxError as error:
             place = emitted.places[(error.lineno or 1) - 1]
@@ -115,6 +134,13 @@ class Runnable:
         finally:
             sys.setrecursionlimit(before)
         return emitted
+
+    def _parsed(self, name: str, text: str, cplusplus: bool, macros: dict[str, str]) -> Program:
+        """The tree of one file."""
+        read = preprocess(text, name, library.HEADERS, self._load, macros)
+        if read.errors:
+            raise CErrors(read.errors)
+        return parse(read.tokens, self._headers.types, cplusplus, read.headers)
 
     def _keep(self, name: str, text: str) -> str:
         self.sources[name] = text.split("\n")

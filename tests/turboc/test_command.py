@@ -1,8 +1,13 @@
 """`python -m bgi PROGRAM.C`"""
 
+import errno
+import os
+
 import pytest
 
 from bgi.__main__ import main
+
+ABSENT = os.strerror(errno.ENOENT)
 
 
 @pytest.fixture
@@ -48,3 +53,48 @@ def test_macros_headers_and_a_trace_are_asked_for(source, tmp_path):
 def test_a_program_says_how_it_ended(source):
     assert main([source("int main() { return 7; }")]) == 7
     assert main([source("#include <stdlib.h>\nvoid main() { exit(4); }")]) == 4
+
+
+def test_several_files_are_one_program(source, capsys):
+    source("#define LIMIT 7\ntypedef struct { int x; } point;\nint twice(int);\n", "BOTH.H")
+    first = source(
+        '#include "both.h"\n#include <stdlib.h>\nint shared = 5; point p;\n'
+        "void main() { exit(twice(shared) + LIMIT + p.x); }"
+    )
+    second = source(
+        '#include "both.h"\n#undef LIMIT\n#define LIMIT 100\nextern int shared; extern point p;\n'
+        "int twice(int n) { p.x = LIMIT; return n + shared; }",
+        "U.C",
+    )
+    assert main([first, second]) == 10 + 7 + 100
+    assert main([first, second[:-3] + "V.C"]) == 2
+    assert capsys.readouterr().err == f"bgi: {second[:-3]}V.C cannot be read: {ABSENT}\n"
+
+
+def test_what_is_no_program_is_one_line(source, tmp_path, capsys):
+    (tmp_path / "DIR.C").mkdir()
+    assert main([str(tmp_path / "DIR.C")]) == 2
+    assert capsys.readouterr().err.startswith(f"bgi: {tmp_path / 'DIR.C'} cannot be read: ")
+    assert main([source("")]) == 1
+    assert capsys.readouterr().err == "T.C: there is no main() in this program\n"
+
+
+def test_a_file_of_dos_runs(source, tmp_path):
+    (tmp_path / "D.C").write_bytes(b"int main()\r\n{\r\n return '\x81';\r\n}\r\n\x1afoo(\x00")
+    assert main([str(tmp_path / "D.C")]) == 0x81
+
+
+def test_ctrl_c_ends_it_without_a_word(source, monkeypatch, capsys):
+    monkeypatch.setattr("bgi.turboc.running.Runnable.run", interrupted)
+    assert main([source("void main() { }")]) == 130
+    assert capsys.readouterr().err == ""
+
+
+def interrupted(*given):
+    """What Ctrl-C does."""
+    raise KeyboardInterrupt
+
+
+def test_nobody_there_is_told(source, capsys):
+    assert main([source("#include <conio.h>\nvoid main() { getch(); }")]) == 0
+    assert capsys.readouterr().err.startswith("bgi: nobody can press a key here")

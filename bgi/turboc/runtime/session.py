@@ -92,7 +92,7 @@ class Session:
         except ProgramEnd as end:
             reason, status = end.reason, end.status
         except WindowClosed:
-            pass
+            raise
         except BGIError as error:
             reason = "nograph"
             self.print(str(error).encode("cp437", "replace") + b"\n")
