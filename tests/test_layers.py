@@ -132,6 +132,7 @@ LAYERS = [
     "bgi.turboc.grammar.statements",
     "bgi.turboc.grammar.classes",
     "bgi.turboc.grammar.parser",
+    "bgi.turboc.linking",
     "bgi.turboc.checker.types",
     "bgi.turboc.checker.typed",
     "bgi.turboc.checker.scopes",
