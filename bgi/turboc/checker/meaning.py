@@ -150,5 +150,6 @@ class Meaning:
         return CError(place, f"there is no {name}{self._guess(name, names)}")
 
     def _guess(self, name: str, names: set[str] | list[str]) -> str:
-        near = get_close_matches(name, sorted(names), 1, 0.75)
+        near = [one for one in names if one.lower() == name.lower()]
+        near = near or get_close_matches(name, sorted(names), 1, 0.75)
         return f": did you mean {near[0]}?" if near else ""

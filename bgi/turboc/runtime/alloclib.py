@@ -24,6 +24,12 @@ void *memccpy(data to, data from, int c, unsigned n); void movmem(data from, dat
 void setmem(data to, unsigned n, char c); void swab(data from, data to, int n);
 void *_fmemset(data to, int c, unsigned n); void *_fmemcpy(data to, data from, unsigned n);
 void *_fmemmove(data to, data from, unsigned n); int _fmemcmp(data a, data b, unsigned n);
+int _fmemicmp(data a, data b, unsigned n); void *_fmemchr(data p, int c, unsigned n);
+void *_fmemccpy(data to, data from, int c, unsigned n); void _fmovmem(data f, data to, unsigned n);
+void _fsetmem(data to, unsigned n, char c); void *halloc(long n, unsigned size);
+void hfree(void *p); void *_fmalloc(unsigned n); void *_nmalloc(unsigned n);
+void _ffree(void *p); void _nfree(void *p);
+void *alloca(unsigned n); unsigned stackavail(void); unsigned _memavl(void); int _heapmin(void);
 void qsort(data base, unsigned n, unsigned size, void *compare);
 void *bsearch(void *key, data base, unsigned n, unsigned size, void *compare);
 void *lfind(void *key, data base, unsigned *n, unsigned size, void *compare);
@@ -151,20 +157,30 @@ def lsearch(key: Plain, base: Plain, n: Pointer, size: int, compare: Any) -> Poi
     return found
 
 
-FUNCTIONS: dict[str, Function] = {
-    **dict.fromkeys(("malloc", "farmalloc", "_graphgetmem"), malloc),
-    **dict.fromkeys(("calloc", "farcalloc"), lambda n, size: malloc(n * size)),
+_ALLOCATING = "malloc farmalloc _graphgetmem _fmalloc _nmalloc alloca"
+_FREEING = "free farfree _graphfreemem hfree _ffree _nfree"
+
+_FUNCTIONS: dict[str, Function] = {
+    **dict.fromkeys(
+        ("malloc", "farmalloc", "_graphgetmem", "_fmalloc", "_nmalloc", "alloca"), malloc
+    ),
+    **dict.fromkeys(("calloc", "farcalloc", "halloc"), lambda n, size: malloc(n * size)),
     **dict.fromkeys(("realloc", "farrealloc"), realloc),
-    **dict.fromkeys(("free", "farfree", "_graphfreemem"), lambda *given: None),
+    **dict.fromkeys(_FREEING.split(), lambda *given: None),
     **{"coreleft": lambda: 60000, "farcoreleft": lambda: 400000},
     **dict.fromkeys(("heapcheck", "farheapcheck"), lambda: _HEAP_OK),
     **dict.fromkeys(("heapcheckfree", "heapfillfree", "heapchecknode"), lambda one: _HEAP_OK),
     **dict.fromkeys(("memset", "_fmemset"), memset),
     **dict.fromkeys(("memcpy", "memmove", "_fmemcpy", "_fmemmove"), memcpy),
     **dict.fromkeys(("memcmp", "_fmemcmp"), lambda a, b, n: _compared(a.get(n), b.get(n))),
+    **dict.fromkeys(("stackavail", "_memavl"), lambda: 60000),
+    **{"_heapmin": lambda: 0},
     "memicmp": lambda a, b, n: _compared(a.get(n).lower(), b.get(n).lower()),
     **{"memchr": memchr, "memccpy": memccpy, "swab": _swapped},
     "movmem": lambda source, to, n: (memcpy(to, source, n), None)[1],
     "setmem": lambda to, n, c: (memset(to, c, n), None)[1],
     **{"qsort": qsort, "bsearch": bsearch, "lfind": lfind, "lsearch": lsearch},
 }
+
+_FAR = "memicmp memchr memccpy movmem setmem"
+FUNCTIONS = {**_FUNCTIONS, **{f"_f{name}": _FUNCTIONS[name] for name in _FAR.split()}}

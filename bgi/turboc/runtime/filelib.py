@@ -34,6 +34,12 @@ int _write(int handle, data from, unsigned n); long lseek(int handle, long offse
 long tell(int handle); long filelength(int handle); int eof(int handle);
 int access(text name, int m);
 int isatty(int handle); int chmod(text name, int m); int _chmod(text name, int f, ...);
+unsigned _dos_open(text name, unsigned mode, int *handle); unsigned _dos_close(int handle);
+unsigned _dos_creat(text name, unsigned attributes, int *handle);
+unsigned _dos_creatnew(text name, unsigned attributes, int *handle);
+unsigned _dos_read(int handle, data to, unsigned n, unsigned *done);
+unsigned _dos_write(int handle, data from, unsigned n, unsigned *done);
+FILE *_fsopen(text name, text mode, int share); int rmtmp(void); char *tempnam(char *a, char *b);
 int dup(int handle); int setmode(int handle, int mode); int chsize(int handle, long size);
 """
 
@@ -151,6 +157,15 @@ class FileLibrary:
     def tmpfile(self) -> File | None:
         return self._opened(characters(self.tmpnam(None)).decode(), "w+b")
 
+    def tempnam(self, folder: Any, prefix: Any) -> Pointer:
+        return self.tmpnam(None)
+
+    def rmtmp(self) -> int:
+        return 0
+
+    def _fsopen(self, name: Any, mode: Any, share: int) -> File | None:
+        return self.fopen(name, mode)
+
     def fread(self, to: Plain, size: int, n: int, stream: File | None) -> int:
         data = stream.read(size * n) if stream is not None else b""
         to.put(data)
@@ -246,6 +261,29 @@ class FileLibrary:
 
     def chsize(self, handle: int, size: int) -> int:
         return -1
+
+    def _dos_open(self, name: Any, mode: int, handle: Pointer) -> int:
+        return self._given(handle, self.open(name, (1, 2, 4)[mode & 3 if mode & 3 < 3 else 0]))
+
+    def _dos_creat(self, name: Any, attributes: int, handle: Pointer) -> int:
+        return self._given(handle, self.creat(name, 0))
+
+    def _dos_creatnew(self, name: Any, attributes: int, handle: Pointer) -> int:
+        return self._given(handle, self.creatnew(name, 0))
+
+    def _given(self, to: Pointer, answer: int) -> int:
+        """Store an answer; the error of DOS if it is none."""
+        to.memory[to.at] = max(answer, 0)
+        return 2 if answer < 0 else 0
+
+    def _dos_close(self, handle: int) -> int:
+        return 0 if self.close(handle) == 0 else 6
+
+    def _dos_read(self, handle: int, to: Plain, n: int, done: Pointer) -> int:
+        return self._given(done, self.read(handle, to, n))
+
+    def _dos_write(self, handle: int, source: Plain, n: int, done: Pointer) -> int:
+        return self._given(done, self.write(handle, source, n))
 
     def read(self, handle: int, to: Plain, n: int) -> int:
         file = self._file(handle)

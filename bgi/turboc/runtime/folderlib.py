@@ -18,6 +18,14 @@ int setdisk(int drive); int chdir(text path); int mkdir(text path); int rmdir(te
 char *searchpath(text name);
 int fnsplit(text path, char *drive, char *dir, char *name, char *ext);
 void fnmerge(char *path, text drive, text dir, text name, text ext);
+void _splitpath(text path, char *drive, char *dir, char *name, char *ext);
+void _makepath(char *path, text drive, text dir, text name, text ext);
+char *_fullpath(char *to, text path, int n); void _searchenv(text name, text variable, char *to);
+void _searchstr(text name, text path, char *to); int _chdrive(int drive); int _getdrive(void); int getdrive(void);
+char *_getdcwd(int drive, char *to, int n); void _dos_getdrive(unsigned *drive);
+void _dos_setdrive(unsigned drive, unsigned *count);
+unsigned _dos_getfileattr(text path, unsigned *to);
+unsigned _dos_setfileattr(text path, unsigned attributes);
 """
 
 TYPES = {
@@ -130,6 +138,48 @@ class FolderLibrary:
 
     def fnmerge(self, path: Pointer, *parts: Any) -> None:
         write_text(path, b"".join([characters(part) for part in parts if part is not None]))
+
+    _makepath = fnmerge
+
+    def _splitpath(self, path: Any, drive: Any, folder: Any, name: Any, ext: Any) -> None:
+        self.fnsplit(path, drive, folder, name, ext)
+
+    def _fullpath(self, to: Pointer | None, path: Any, n: int) -> Pointer:
+        whole = _HERE + b"\\" + characters(path)
+        if to is None:
+            return string(whole)
+        write_text(to, whole)
+        return to
+
+    def _searchenv(self, name: Any, variable: Any, to: Pointer) -> None:
+        found = self.searchpath(name)
+        write_text(to, characters(found) if found is not None else b"")
+
+    _searchstr = _searchenv
+
+    def _chdrive(self, drive: int) -> int:
+        return 0 if drive == 3 else -1
+
+    def _getdrive(self) -> int:
+        return 3
+
+    getdrive = _getdrive
+
+    def _getdcwd(self, drive: int, to: Pointer | None, n: int) -> Pointer:
+        return self.getcwd(to, n)
+
+    def _dos_getdrive(self, drive: Pointer) -> None:
+        drive.memory[drive.at] = 3
+
+    def _dos_setdrive(self, drive: int, count: Pointer) -> None:
+        count.memory[count.at] = 3
+
+    def _dos_getfileattr(self, path: Any, to: Pointer) -> int:
+        to.memory[to.at] = 32
+        return 0 if self._folder.has(characters(path).decode("cp437")) else 2
+
+    def _dos_setfileattr(self, path: Any, attributes: int) -> int:
+        return 5
 
 
 def _short(name: str) -> bytes:

@@ -73,39 +73,27 @@ TEXTS = {
 }
 """What stands in a header, besides the functions, constants and types of the library."""
 
-REFUSED = {
-    **dict.fromkeys(
-        ("setjmp", "longjmp", "jmp_buf"), "cannot be: a function that has ended cannot go on"
-    ),
-    **dict.fromkeys(
-        ("absread", "abswrite", "biosdisk_", "getfat", "getfatd", "getdfree", "_dos_getdiskfree"),
-        "cannot be: the program may not see the disks",
-    ),
-    **dict.fromkeys(
-        ("allocmem", "freemem", "setblock", "brk", "sbrk", "_dos_allocmem", "_dos_freemem"),
-        "cannot be: there are no blocks of DOS memory; use farmalloc()",
-    ),
-    **dict.fromkeys(
-        ("farheapwalk", "heapwalk", "farheapchecknode", "farheapfillfree", "farheapcheckfree"),
-        "cannot be: the heap has no nodes to walk over",
-    ),
-    **dict.fromkeys(
-        ("getdta", "setdta", "getpsp", "randbrd", "randbwr", "parsfnm", "getswitchar", "dosexterr"),
-        "cannot be: there is no DOS beneath the program",
-    ),
-    **dict.fromkeys(("_OvrInitEms", "_OvrInitExt", "_overlay"), "cannot be: there are no overlays"),
-    **dict.fromkeys(
-        ("offsetof",), "cannot be: members do not lie one behind the other in memory here"
-    ),
-    **dict.fromkeys(("cabs", "matherr"), "is not here; complex.h has abs() for complex numbers"),
-    **dict.fromkeys(("bcd",), "cannot be: there are no decimal numbers here; double is near"),
-    **dict.fromkeys(
-        ("ioctl", "lock", "unlock", "locking", "getftime", "setftime", "umask", "stat", "fstat"),
-        "is not here: files have neither locks nor marks",
-    ),
-    **dict.fromkeys(
-        ("localeconv", "country", "mblen", "mbtowc", "wctomb", "mbstowcs", "wcstombs"),
-        "is not here: there is one language, C's own",
-    ),
+_REASONS = {
+    "cannot be: a function that has ended cannot go on": "setjmp longjmp",
+    "cannot be: the program may not see the disks": """absread abswrite getfat getfatd getdfree
+        _dos_getdiskfree _dos_commit""",
+    "cannot be: there are no blocks of DOS memory; use farmalloc()": """allocmem freemem setblock
+        brk sbrk _dos_allocmem _dos_freemem _dos_setblock""",
+    "cannot be: the heap has no nodes to walk over": """farheapwalk heapwalk farheapchecknode
+        farheapfillfree farheapcheckfree _expand _heapadd _heapchk _heapset _heapwalk _msize""",
+    "cannot be: there is no DOS beneath the program": """getdta setdta getpsp randbrd randbwr
+        parsfnm getswitchar dosexterr _dos_keep _OvrInitEms _OvrInitExt""",
+    "cannot be: no other program is started": "cwait wait _popen _pclose _pipe",
+    "cannot be: members do not lie one behind the other in memory here": "offsetof",
+    "is not here; complex.h has abs() for complex numbers": "cabs cabsl",
+    "is not here: what a function of math.h cannot compute is inf or nan": """matherr matherrl
+        _matherr _matherrl""",
+    "is not here: there are no decimal numbers; double is near": "bcd",
+    "is not here: files have neither locks nor marks": """ioctl lock unlock locking getftime
+        setftime umask stat fstat utime _dos_getftime _dos_setftime""",
+    "is not here: there is one language, C's own": """localeconv country mblen mbtowc wctomb
+        mbstowcs wcstombs""",
 }
+
+REFUSED = {name: why for why, names in _REASONS.items() for name in names.split()}
 """Names of the headers that are not here, and why."""

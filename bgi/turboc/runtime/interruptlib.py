@@ -34,6 +34,8 @@ void _dos_setvect(int number, void *isr); void *getvect(int number);
 void *_dos_getvect(int number); void disable(void); void enable(void);
 void _disable(void); void _enable(void); void ctrlbrk(void *handler); int getcbrk(void);
 int setcbrk(int on); void keep(unsigned char status, unsigned size); void harderr(void *handler);
+void hardresume(int how); void hardretn(int code); void _harderr(void *handler);
+void _hardresume(int how); void _hardretn(int code);
 void _chain_intr(void *isr); int getverify(void); void setverify(int on);
 """
 
@@ -240,7 +242,8 @@ class InterruptLibrary:
     def ctrlbrk(self, handler: Any) -> None:
         """Ctrl-Break ends the program."""
 
-    harderr = _chain_intr = setverify = ctrlbrk
+    harderr = hardresume = hardretn = _chain_intr = setverify = ctrlbrk
+    _harderr = _hardresume = _hardretn = ctrlbrk
 
     def getcbrk(self) -> int:
         return 0

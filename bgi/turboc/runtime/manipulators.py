@@ -31,7 +31,9 @@ CONSTANTS: dict[str, int | float] = {
 DECLARATIONS = """
 manipulator setw(int n); manipulator setprecision(int n); manipulator setfill(int c);
 manipulator setiosflags(long flags); manipulator resetiosflags(long flags);
-manipulator setbase(int n);
+manipulator setbase(int n); manipulator setclr(int color); manipulator setbk(int color);
+manipulator setattr(int attribute); manipulator setxy(int x, int y);
+manipulator setcrsrtype(int kind);
 """
 
 NAMES = dict.fromkeys(["endl", "ends", "flush", "hex", "dec", "oct", "ws"], "manipulator @")
@@ -62,4 +64,7 @@ MANIPULATORS: dict[str, Any] = {
     **{"setprecision": _maker("precision"), "setfill": _maker("fill")},
     **{"setiosflags": _maker("set"), "resetiosflags": _maker("reset")},
     "setbase": lambda n: manipulator("base", {8: OCT, 16: HEX}.get(n, DEC)),
+    **{"setclr": _maker("textcolor"), "setbk": _maker("textbackground")},
+    **{"setattr": _maker("textattr"), "setcrsrtype": _maker("_setcursortype")},
+    "setxy": lambda x, y: manipulator("gotoxy", (x, y)),
 }

@@ -35,7 +35,12 @@ char *ecvt(double n, int digits, int *point, int *sign);
 char *fcvt(double n, int digits, int *point, int *sign); int rand(void); void srand(unsigned seed);
 int random(int n); char *getenv(text name); int putenv(text setting); div_t div(int a, int b);
 ldiv_t ldiv(long a, long b); double ldexp(double x, int n); double modf(double x, double *whole);
-double frexp(double x, int *exponent); double pow10(int n); double poly(double x, int n, double *c);
+double frexp(double x, int *exponent); long double ldexpl(long double x, int n);
+long double modfl(long double x, long double *whole); long double frexpl(long double x, int *e);
+long double pow10l(int n); long double polyl(long double x, int n, long double *c);
+long double _strtold(char *s, char **end); unsigned char _crotl(unsigned char n, int by);
+unsigned char _crotr(unsigned char n, int by); long _lrand(void);
+ double pow10(int n); double poly(double x, int n, double *c);
 unsigned _rotl(unsigned n, int by); unsigned _rotr(unsigned n, int by);
 unsigned long _lrotl(unsigned long n, int by); unsigned long _lrotr(unsigned long n, int by);
 unsigned _clear87(void); unsigned _status87(void); unsigned _control87(unsigned a, unsigned b);
@@ -167,7 +172,7 @@ def _reals() -> dict[str, Function]:
     return found
 
 
-FUNCTIONS: dict[str, Function] = {
+_FUNCTIONS: dict[str, Function] = {
     **_reals(),
     **{"ldexp": _real(math.ldexp), "pow10": _real(lambda n: 10.0**n), "modf": modf},
     **{"frexp": frexp, "poly": poly, "labs": abs, "abs": lambda n: signed(abs(n), 16)},
@@ -180,7 +185,15 @@ FUNCTIONS: dict[str, Function] = {
     **{"getenv": lambda name: None, "putenv": lambda setting: 0},
     **{"_rotl": _rotated(16), "_rotr": lambda n, by: _rotated(16)(n, -by)},
     **{"_lrotl": _rotated(32), "_lrotr": lambda n, by: _rotated(32)(n, -by)},
+    **{"_crotl": _rotated(8), "_crotr": lambda n, by: _rotated(8)(n, -by)},
     **{"_clear87": lambda: 0, "_status87": lambda: 0, "_control87": lambda a, b: 0x133F},
     "_fpreset": lambda: None,
+}
+
+_LONG = "ldexp modf frexp pow10 poly"
+FUNCTIONS = {
+    **_FUNCTIONS,
+    **{f"{name}l": _FUNCTIONS[name] for name in _LONG.split()},
+    **{"_strtold": _FUNCTIONS["strtod"], "_lrand": lambda: stdlib.rand() << 15 | stdlib.rand()},
 }
 """All but those that answer with structures."""

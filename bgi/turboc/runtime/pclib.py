@@ -7,6 +7,7 @@ from typing import Any, NoReturn
 
 from bgi import conio, current, dos
 from bgi.turboc.runtime.binding import Function, characters
+from bgi.turboc.runtime.limits import numbers
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.session import ProgramEnd, Session
 
@@ -37,6 +38,10 @@ int spawnl(int mode, text path, ...); int spawnlp(int mode, text path, ...);
 int spawnle(int mode, text path, ...); int spawnv(int mode, text path, ...);
 int spawnvp(int mode, text path, ...); int execl(text path, ...); int execlp(text path, ...);
 int execle(text path, ...); int execv(text path, ...); int execvp(text path, ...);
+int execlpe(text path, ...); int execve(text path, ...); int execvpe(text path, ...);
+int spawnlpe(int mode, text path, ...); int spawnve(int mode, text path, ...);
+int spawnvpe(int mode, text path, ...); int _bios_disk(int command, void *info);
+int _bios_printer(int command, int port, int byte); int _bios_serialcom(int c, int port, char b);
 int _assertion(text condition, text file, int line); void *signal(int number, void *handler);
 void *set_new_handler(void *handler); char *setlocale(int kind, text name);
 """
@@ -61,7 +66,16 @@ VALUES: dict[str, Any] = {
 }
 """What is in them."""
 
+_BIOS = """
+_DISK_RESET 0 _DISK_STATUS 1 _DISK_READ 2 _DISK_WRITE 3 _DISK_VERIFY 4 _DISK_FORMAT 5
+_PRINTER_WRITE 0 _PRINTER_INIT 1 _PRINTER_STATUS 2 _COM_INIT 0 _COM_SEND 1 _COM_RECEIVE 2
+_COM_STATUS 3 _COM_CHR7 2 _COM_CHR8 3 _COM_STOP1 0 _COM_STOP2 4 _COM_NOPARITY 0
+_COM_EVENPARITY 24 _COM_ODDPARITY 8 _COM_1200 128 _COM_2400 160 _COM_4800 192 _COM_9600 224
+"""
+
 CONSTANTS = {
+    **numbers(_BIOS),
+    **{"SIGUSR1": 16, "SIGUSR2": 17, "SIGUSR3": 20, "P_NOWAITO": 3, "LC_TIME": 5},
     **{"P_WAIT": 0, "P_NOWAIT": 1, "P_OVERLAY": 2, "SIGBREAK": 21},
     **{"SIGABRT": 22, "SIGFPE": 8, "SIGILL": 4, "SIGINT": 2, "SIGSEGV": 11, "SIGTERM": 15},
     **{"_KEYBRD_READ": 0, "_KEYBRD_READY": 1, "_KEYBRD_SHIFTSTATUS": 2},
@@ -154,11 +168,21 @@ class PCLibrary:
         """No disk answers."""
         return 0x80
 
+    _bios_disk = biosdisk
+
+    def _bios_printer(self, command: int, port: int, byte: int) -> int:
+        """No printer answers."""
+        return 1
+
     def biosprint(self, command: int, byte: int, port: int) -> int:
         """No printer answers."""
         return 1
 
     def bioscom(self, command: int, byte: int, port: int) -> int:
+        """No serial port answers."""
+        return -0x8000
+
+    def _bios_serialcom(self, command: int, port: int, byte: int) -> int:
         """No serial port answers."""
         return -0x8000
 
@@ -190,12 +214,12 @@ class PCLibrary:
     def spawnl(self, mode: int, path: Any, *given: Any) -> int:
         return self._started("spawn", path)
 
-    spawnlp = spawnle = spawnv = spawnvp = spawnl
+    spawnlp = spawnle = spawnlpe = spawnv = spawnve = spawnvp = spawnvpe = spawnl
 
     def execl(self, path: Any, *given: Any) -> int:
         return self._started("exec", path)
 
-    execlp = execle = execv = execvp = execl
+    execlp = execle = execlpe = execv = execve = execvp = execvpe = execl
 
     def getpid(self) -> int:
         return 1

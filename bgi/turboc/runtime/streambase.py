@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from bgi import conio
 from bgi.turboc.runtime.files import File
 from bgi.turboc.runtime.manipulators import BAD, BASE, END, FAILED, SKIP, manipulator
 from bgi.turboc.runtime.memory import Pointer, Record
@@ -112,6 +113,10 @@ class ios(Record):
                 self.setf(told.value)
             case "reset":
                 self.unsetf(told.value)
+            case "gotoxy":
+                conio.gotoxy(*told.value)
+            case "textcolor" | "textbackground" | "textattr" | "_setcursortype":
+                getattr(conio, told.kind)(told.value)
 
     def _seek(self, place: int, whence: int) -> Any:
         self._state = 0

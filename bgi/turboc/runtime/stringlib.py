@@ -2,29 +2,35 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from bgi.turboc.runtime.binding import Function, characters, string
 from bgi.turboc.runtime.memory import Pointer, text, write_bytes, write_text
 
-DECLARATIONS = """
+_STRINGS = """
 unsigned strlen(text s); char *strcpy(char *to, text s); char *strcat(char *to, text s);
 char *strncpy(char *to, text s, unsigned n); char *strncat(char *to, text s, unsigned n);
 char *stpcpy(char *to, text s); int strcmp(text a, text b); int strcoll(text a, text b);
 int strncmp(text a, text b, unsigned n); unsigned strxfrm(char *to, text s, unsigned n);
 int stricmp(text a, text b); int strcmpi(text a, text b); int strnicmp(text a, text b, unsigned n);
-int strncmpi(text a, text b, unsigned n); int strcasecmp(text a, text b);
+int strncmpi(text a, text b, unsigned n);
 char *strchr(char *s, int c); char *strrchr(char *s, int c);
 char *strstr(char *s, text part); char *strpbrk(char *s, text any); char *strtok(char *s, text any);
 unsigned strspn(text s, text any); unsigned strcspn(text s, text any); char *strdup(text s);
 char *strupr(char *s); char *strlwr(char *s); char *strrev(char *s); char *strset(char *s, int c);
-char *strnset(char *s, int c, unsigned n); unsigned _fstrlen(text s);
-char *_fstrcpy(char *to, text s); char *_fstrcat(char *to, text s); int _fstrcmp(text a, text b);
+char *strnset(char *s, int c, unsigned n);
+"""
+
+_CHARACTERS = """
 int isalpha(int c); int isdigit(int c); int isalnum(int c); int isspace(int c); int isupper(int c);
 int islower(int c); int ispunct(int c); int isxdigit(int c); int iscntrl(int c); int isprint(int c);
 int isgraph(int c); int toupper(int c); int tolower(int c); int isascii(int c); int toascii(int c);
-int _toupper(int c); int _tolower(int c);
+int _toupper(int c); int _tolower(int c); int strcasecmp(text a, text b);
 """
+
+DECLARATIONS = _STRINGS + _CHARACTERS + re.sub(r"\b(?=(str|stp)\w+\()", "_f", _STRINGS)
+"""Far strings have the same functions."""
 
 
 def _class(test: str) -> Function:
@@ -106,16 +112,14 @@ def _alike(a: Any, b: Any, n: int | None = None) -> int:
 _CLASSES = "isalpha isdigit isalnum isspace isupper islower"
 _WHITE = b" \t\n\v\f\r"
 
-FUNCTIONS: dict[str, Function] = {
-    **dict.fromkeys(("strlen", "_fstrlen"), lambda s: len(characters(s))),
-    **dict.fromkeys(("strcpy", "_fstrcpy"), _joined(lambda to, s: s + b"\0")),
-    **dict.fromkeys(("strcat", "_fstrcat"), _joined(lambda to, s: text(to) + s + b"\0")),
+_FUNCTIONS: dict[str, Function] = {
+    **dict.fromkeys(("strlen",), lambda s: len(characters(s))),
+    **dict.fromkeys(("strcpy",), _joined(lambda to, s: s + b"\0")),
+    **dict.fromkeys(("strcat",), _joined(lambda to, s: text(to) + s + b"\0")),
     "strncpy": _joined(lambda to, s, n: s[:n].ljust(n, b"\0")),
     "strncat": _joined(lambda to, s, n: text(to) + s[:n] + b"\0"),
     **{"stpcpy": stpcpy, "strxfrm": strxfrm},
-    **dict.fromkeys(
-        ("strcmp", "_fstrcmp", "strcoll"), lambda a, b: _sign(characters(a), characters(b))
-    ),
+    **dict.fromkeys(("strcmp", "strcoll"), lambda a, b: _sign(characters(a), characters(b))),
     "strncmp": lambda a, b, n: _sign(characters(a)[:n], characters(b)[:n]),
     **dict.fromkeys(("stricmp", "strcmpi", "strcasecmp", "strnicmp", "strncmpi"), _alike),
     "strchr": lambda s, c: _offset(s, (text(s) + b"\0").find(c & 0xFF)),
@@ -138,4 +142,9 @@ FUNCTIONS: dict[str, Function] = {
     "toupper": lambda c: c - 32 if 97 <= c <= 122 else c,
     "tolower": lambda c: c + 32 if 65 <= c <= 90 else c,
     **{"toascii": lambda c: c & 0x7F, "_toupper": lambda c: c - 32, "_tolower": lambda c: c + 32},
+}
+
+FUNCTIONS = {
+    **_FUNCTIONS,
+    **{f"_f{name}": one for name, one in _FUNCTIONS.items() if name[:3] in ("str", "stp")},
 }
