@@ -79,6 +79,9 @@ class _Emitter(ActionWriter):
                 methods.setdefault(routine.symbol.owner, []).append(routine)
         for cls in program.structs:
             self._class(cls, methods.get(cls, []))
+        for cls in program.structs:
+            if cls.kind != "union":
+                self._laid_out(cls)
         for routine in program.routines:
             if routine.symbol.owner is None:
                 self._routine(routine)
@@ -112,7 +115,6 @@ class _Emitter(ActionWriter):
             if cls.kind == "union":
                 self._shared(cls)
             else:
-                self._laid_out(cls)
                 self.line(f"__slots__ = {tuple(own)!r}")
                 self.line(f"MEMBERS = {tuple(every)!r}")
                 self._begin(cls)
@@ -125,7 +127,7 @@ class _Emitter(ActionWriter):
             f"({self.attribute(name)!r}, {flat_layout(type_)})"
             for name, type_ in cls.all_members().items()
         ]
-        self.line(f"LAYOUT = [{', '.join(members)}]")
+        self.line(f"{cls.python}.LAYOUT = [{', '.join(members)}]")
 
     def _begin(self, cls: StructType) -> None:
         """What an object holds before its constructor is called."""

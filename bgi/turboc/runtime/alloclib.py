@@ -6,7 +6,7 @@ from functools import cmp_to_key
 from typing import Any
 
 from bgi.turboc.runtime.binding import Function
-from bgi.turboc.runtime.memory import MOST_BYTES, Allocated, Pointer, copied
+from bgi.turboc.runtime.memory import MOST_BYTES, Allocated, Pointer, Record, copied
 from bgi.turboc.runtime.plaindata import Plain
 
 DECLARATIONS = """
@@ -79,7 +79,10 @@ def memcpy(to: Plain, source: Plain, n: int) -> Pointer:
     else:
         values = [copied(origin.memory[origin.at + place]) for place in range(count)]
         for place, value in enumerate(values, target.at):
-            target.memory[place] = value
+            if isinstance(value, Record):
+                target.memory[place].assign(value)
+            else:
+                target.memory[place] = value
     return target  # type: ignore[no-any-return]
 
 
