@@ -20,6 +20,7 @@ from bench.groups import (
     settings,
     startup,
     text,
+    turboc,
 )
 from bench.libraries import libraries
 from bench.plotters import plotters
@@ -46,6 +47,7 @@ GROUPS = {
     "settings": Group(settings.rows),
     "arrays": Group(arrays.rows),
     "programs": Group(programs.rows),
+    "turboc": Group(turboc.rows),
     "startup": Group(startup.rows, most_rounds=5),
     "surfaces": Group(plots.rows, most_rounds=3),
     "growth": Group(plots.growth_rows, most_rounds=1),

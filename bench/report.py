@@ -7,7 +7,7 @@ from bench.groups.plots import GROWN, LARGE, SIZES
 from bench.saved import Run
 from bench.timing import Result
 
-PEERS = ("SDL_bgi", "pygame", "matplotlib", "gnuplot", "PLplot")
+PEERS = ("SDL_bgi", "pygame", "matplotlib", "gnuplot", "PLplot", "Python")
 HEAD = (
     "A unit is an empty call of three arguments in a loop inside a function. Ratios are the\n"
     "peer's time through ours, in the same round: above 1, we are faster. Rows where we are\n"
