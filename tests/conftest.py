@@ -17,13 +17,19 @@ from bgi import current
 from bgi.graphics import Graphics
 from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
+from bgi.memory import sdl
 from bgi.monitor import moment
 
 # An example may take its time: machines are busy now and then.
 hypothesis.settings.register_profile("patient", deadline=None)
 hypothesis.settings.load_profile("patient")
 
-pytest_plugins = ["tests.skips"]
+pytest_plugins = ["tests.skips", "tests.browser"]
+
+# What is about windows and pages, by processes and pygame's own names.
+_WINDOW = ("keys", "pointer_look", "process", "program_ends", "window", "x11")
+_WITHOUT = ["test_bench.py", "monitor/web", *(f"monitor/test_{name}.py" for name in _WINDOW)]
+collect_ignore = [] if sdl.FOUND else _WITHOUT
 
 
 @pytest.fixture(autouse=True)

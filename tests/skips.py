@@ -17,6 +17,7 @@ import pytest
 from bgi.memory import sdl
 
 IN_CI = bool(os.environ.get("CI"))
+BROWSER = sys.platform == "emscripten"
 WINDOWS, MACOS, LINUX = (sys.platform == name for name in ("win32", "darwin", "linux"))
 
 
@@ -42,6 +43,11 @@ REASONS = {
     "needs shapely": _no_package("shapely"),
     "needs mypy": _no_package("mypy"),
     "needs hatchling": _no_package("hatchling"),
+    "there are no processes": BROWSER,
+    "there are no threads": BROWSER,
+    "two mappings of a file share no memory": BROWSER,
+    "floating point differs in the last bit": BROWSER,
+    "argparse speaks otherwise": BROWSER,
     "uses POSIX signals or fork": WINDOWS,
     "uses POSIX descriptors": WINDOWS,
     "looks into /proc": not LINUX,

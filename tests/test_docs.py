@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from bgi.memory.sdl import pygame
+from bgi.memory.imagefile import load
 from gallery.catalogue import C_NAMES, NAMES
 from tools import a_to_z, pictures
 
@@ -30,8 +30,8 @@ SHOWN = """
 
 def look(file):
     """A picture's size and colours."""
-    surface = pygame.image.load(file)
-    return surface.get_size(), pygame.image.tobytes(surface, "RGB")
+    colors = load(file).rgba[..., :3]
+    return colors.shape, colors.tobytes()
 
 
 def assert_drawn(names, folder):

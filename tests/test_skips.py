@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests import skips
+from tests.browser import CANNOT
+
+ROOT = Path(__file__).parents[1]
 
 TESTS = """
 import pytest
@@ -57,3 +60,11 @@ def test_a_reason_counts_only_where_it_holds(monkeypatch: pytest.MonkeyPatch) ->
     assert skips.unexpected("needs wings") == ""
     assert "does not hold: needs legs" in skips.unexpected("needs legs")
     assert "does not know: needs fins" in skips.unexpected("needs fins")
+
+
+def test_what_a_browser_cannot_do_is_a_test_of_ours():
+    for files in CANNOT.values():
+        for file, names in files.items():
+            text = (ROOT / file).read_text("utf-8")
+            for name in names:
+                assert f"def {name.partition('[')[0].rpartition('::')[2]}(" in text

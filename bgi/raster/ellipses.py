@@ -262,7 +262,7 @@ def _disc(rx: int, ry: int) -> FigureRows:
     x, y = quadrant(rx, ry)
     widest = x[np.flatnonzero(np.diff(y, append=-1))]  # of each y, the last one that has it
     right = np.concatenate((widest, widest[-2::-1]))
-    return np.arange(len(right)) - len(right) // 2, -right, right
+    return np.arange(len(right), dtype=np.int64) - len(right) // 2, -right, right
 
 
 DISCS = Kept(_disc, 1 << 21)
@@ -311,7 +311,8 @@ def _smooth_rows(dx: Ints, dy: Ints) -> FigureRows:
     if dy[0] > dy[-1]:
         dx, dy = dx[::-1], dy[::-1]
     top, bottom = int(dy[0]), int(dy[-1])
-    y, arc = np.arange(min(top, 0), max(bottom, 0)), dx[:-1][dy[1:] > dy[:-1]]
+    y = np.arange(min(top, 0), max(bottom, 0), dtype=np.int64)
+    arc = dx[:-1][dy[1:] > dy[:-1]]
     if top < 0:
         one = _radius_crossings(int(dx[0]), top, y)
         other = np.append(arc, _radius_crossings(int(dx[-1]), bottom, y[bottom - top :]))

@@ -5,6 +5,7 @@ the inverse of T, and ask where the eye lies as seen from the surface. So what i
 found on the surface itself, however it is turned.
 """
 
+import contextlib
 from dataclasses import dataclass
 
 import numpy as np
@@ -98,8 +99,8 @@ def eye_from_surface(eye: Doubles, T: Doubles) -> Doubles:
     Raises:
         ValueError: if T flattens space: then there is no way back.
     """
-    try:
+    with contextlib.suppress(np.linalg.LinAlgError):
         direction: Doubles = eye @ np.linalg.inv(T[:3, :3])
-    except np.linalg.LinAlgError:
-        raise ValueError("transform must be invertible; this one flattens the surface") from None
-    return direction
+        if np.isfinite(direction).all():  # WebAssembly raises no error, but computes NaN
+            return direction
+    raise ValueError("transform must be invertible; this one flattens the surface")

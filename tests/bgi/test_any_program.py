@@ -54,7 +54,7 @@ wrong = st.sampled_from(
     [
         *(None, "7", b"7", float("nan"), 1j, object(), {}, [[1], [2, 3]], (), range(10**9)),
         *(np.float16("inf"), np.array([1, np.nan]), np.zeros((1,) * 32), np.array(["a"])),
-        np.broadcast_to(np.int64(5), 10**9),
+        np.broadcast_to(np.int8(5), 10**9),
     ]
 )
 fitting = {

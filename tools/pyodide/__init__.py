@@ -1,0 +1,1 @@
+"""Python for the browser: where its parts come from, and our tests in it."""
