@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from bgi.memory import sdl
+from tools.pyodide import parts
 
 IN_CI = bool(os.environ.get("CI"))
 BROWSER = sys.platform == "emscripten"
@@ -36,6 +37,7 @@ REASONS = {
     "needs import": _no_program("import"),  # ImageMagick's
     "needs setxkbmap": _no_program("setxkbmap"),
     "needs Chromium": IN_CI or _no_program("chromium"),  # a browser is no part of CI
+    "needs Pyodide": IN_CI or not parts.cached(),  # python -m tools.site fetches it
     "needs pygame": not sdl.FOUND,
     "needs websockets": _no_package("websockets"),
     "needs Pillow": _no_package("PIL"),

@@ -87,6 +87,7 @@ LAYERS = [
     "bgi.monitor.web.webchild",
     "bgi.monitor.web.pagewindow",
     "bgi.monitor.web",
+    "bgi.monitor.tab",
     "bgi.monitor",
     "bgi.graphics.screen",
     "bgi.graphics.pen",

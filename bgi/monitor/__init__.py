@@ -100,6 +100,10 @@ def choose(
     `none`, or the plan makes no sense.
     """
     wish = os.environ.get("BGI_MONITOR", "")
+    if wish == "tab":
+        from bgi.monitor.tab import Tab  # late: it needs the page around it
+
+        return Tab(card, title, beside)
     if wish not in ("", "none", *_ASKED_FOR):
         raise ValueError(f"BGI_MONITOR is {wish!r}; it may be 'window', 'web' or 'none'")
     plan = Plan.from_environment()

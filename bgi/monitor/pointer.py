@@ -218,16 +218,19 @@ class Mouse:
         self._events.put(event)
 
     def _serve(self) -> None:
-        """Call the handlers, one event after another; an error in one is printed and no more."""
+        """Call the handlers, one event after another."""
         assert self._events is not None
         while True:
-            event = self._events.get()
-            for kind in (event.message, 0):
-                handler = self.handlers.get(kind)
-                if handler is not None:
-                    try:
-                        handler(event)
-                    except Exception:
-                        import traceback  # late, as most programs make no mistake
+            self._serve_one(self._events.get())
 
-                        traceback.print_exc()
+    def _serve_one(self, event: Event) -> None:
+        """Call the handlers of an event; an error in one is printed and no more."""
+        for kind in (event.message, 0):
+            handler = self.handlers.get(kind)
+            if handler is not None:
+                try:
+                    handler(event)
+                except Exception:
+                    import traceback  # late, as most programs make no mistake
+
+                    traceback.print_exc()

@@ -59,6 +59,11 @@ def cache() -> Path:
     return Path(home) / "pybgi" / f"pyodide-{VERSION}"
 
 
+def cached() -> bool:
+    """Whether a site can be built without fetching anything."""
+    return (cache() / "core").is_dir() and (cache() / NUMPY).is_file()
+
+
 def core() -> Path:
     """The folder with Pyodide's own files, `CORE_FILES`."""
     folder = cache() / "core"

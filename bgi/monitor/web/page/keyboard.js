@@ -41,6 +41,7 @@ export class Keyboard {
   #signs = []; // the buttons of characters
 
   constructor(place, keys) {
+    this.place = place;
     this.keys = keys;
     for (const row of ROWS) {
       const line = document.createElement("div");
@@ -93,7 +94,7 @@ export class Keyboard {
   #letGo() {
     for (const [name, [, flag]] of Object.entries(CHANGING)) {
       if (!(this.#mods & flag)) continue;
-      const button = [...document.querySelectorAll("#keyboard button")].find((b) => b.textContent === name);
+      const button = [...this.place.querySelectorAll("button")].find((b) => b.textContent === name);
       this.#toggle(name, button);
     }
   }

@@ -1,0 +1,1 @@
+"""The site in which every program of ours runs in the page."""

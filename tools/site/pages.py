@@ -1,0 +1,112 @@
+"""The site's pages: the documentation, whose code runs, and the gallery."""
+
+import html
+import re
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+
+from gallery.catalogue import Demo
+from tools import pictures
+
+DOCS = pictures.DOCS
+PAGE = Path(__file__).with_name("page")
+
+_LINK = re.compile(r"(?P<page>[\w-]+)\.md(?P<place>#.*)?|\.\./demos/\d+_(?P<demo>\w+)\.py")
+_OUTSIDE = {"../README.md": "../index.html", "../demos/README.md": "../index.html"}
+
+
+def write_docs(folder: Path) -> None:
+    """Write each page of docs/ as HTML."""
+    (folder / "docs").mkdir()
+    for page in sorted(DOCS.glob("*.md")):
+        text = page.read_text("utf-8")
+        title = text.partition("\n")[0].lstrip("# ")
+        body = _html(text)
+        written = _filled("page.html", TITLE=html.escape(title), ROOT="../", BODY=body)
+        (folder / "docs" / f"{page.stem}.html").write_text(written, encoding="utf-8")
+
+
+def write_gallery(folder: Path, demos: Iterable[Demo]) -> None:
+    """Write the first page, and beside it the programs that it shows."""
+    (folder / "programs").mkdir()
+    cards = []
+    for demo in demos:
+        shutil.copy(demo.file, folder / "programs")
+        cards.append(
+            f'<a href="#{demo.name}" data-demo="{demo.name}" data-file="{demo.file.name}">'
+            f'<img src="pictures/{demo.name}.png" alt="" loading="lazy">'
+            f"<b>{demo.name}</b><span>{html.escape(demo.summary)}</span></a>"
+        )
+    written = _filled("index.html", DEMOS="\n".join(cards))
+    (folder / "index.html").write_text(written, encoding="utf-8")
+
+
+def _filled(name: str, **parts: str) -> str:
+    text = (PAGE / name).read_text("utf-8")
+    for place, part in parts.items():
+        text = text.replace(f"@{place}@", part)
+    return text
+
+
+def _html(text: str) -> str:
+    """A page of Markdown as HTML; its programs are marked, so that the page can run them."""
+    markdown = MarkdownIt("commonmark").enable("table")
+    tokens = markdown.parse(text)
+    before = _before(text)
+    for token, following in zip(tokens, [*tokens[1:], None], strict=True):
+        if token.type == "heading_open" and following is not None:
+            token.attrSet("id", _anchor(following.content))
+        if token.type == "fence" and token.info == "python":
+            code = token.content
+            token.type, token.content = "html_block", _program(before, code)
+            if pictures.IN_ORDER in text:
+                before += code
+        _lead(token.children or [])
+    rendered: str = markdown.renderer.render(tokens, markdown.options, {})
+    return rendered
+
+
+def _program(before: str, code: str) -> str:
+    return f'<pre class="runs" data-before="{html.escape(before)}">{html.escape(code)}</pre>\n'
+
+
+def _before(text: str) -> str:
+    """What the programs of a page follow, as the page says and `tools.pictures` runs them."""
+    if header := pictures.ON_TEXT.search(text):
+        return f"from bgi.{header[1]} import *\n"
+    if pictures.ON_A_SCREEN in text:
+        return "from bgi import *; initgraph(VGA, VGAHI)\n"
+    return ""
+
+
+def _anchor(heading: str) -> str:
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+
+
+def _lead(tokens: list[Token]) -> None:
+    """Have links and pictures lead to where that is on the site, or nowhere."""
+    tag = ""
+    for token in tokens:
+        if token.type == "image":
+            token.attrSet("src", f"../{token.attrGet('src')}")
+        elif token.type == "link_open":
+            target = _target(str(token.attrGet("href")))
+            token.attrs = {"href": target} if target else {}
+            token.tag = tag = "a" if target else "span"
+        elif token.type == "link_close":
+            token.tag = tag
+
+
+def _target(link: str) -> str:
+    """Where a link of the repository leads on the site; "" for what is not there."""
+    if link.startswith(("https:", "#")):
+        return link
+    found = _LINK.fullmatch(link)
+    if found is None:
+        return _OUTSIDE.get(link, "")
+    page, place, demo = found["page"], found["place"] or "", found["demo"]
+    return f"../index.html#{demo}" if demo else f"{page}.html{place}"
