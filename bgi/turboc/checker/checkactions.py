@@ -56,6 +56,8 @@ class Actions(Calls):
     jumps: list[tuple[str, Place]]
     """Where a goto leads."""
     labels: set[str]
+    deep: list[list[tuple[int | None, str]]]
+    """Of each switch around: the cases in its loops and branches, and their labels."""
     statics: list[Define]
     """Variables that are declared in functions and outlive them."""
 
@@ -107,6 +109,7 @@ class Actions(Calls):
             raise CError(node.place, "switch needs a whole number")
         self.scope = Scope(self.scope)
         parts: list[tuple[list[int | None], list[Act]]] = []
+        self.deep.append([])
         for item in _without_blocks(node.body):
             if isinstance(item, tree.Case):
                 if not parts or parts[-1][1]:
@@ -119,10 +122,22 @@ class Actions(Calls):
                 self.act(item)
         assert self.scope.outer is not None
         self.scope = self.scope.outer
+        deep = self.deep.pop()
+        if deep and parts:
+            parts[-1][1].append(Leave(node.place))
+        parts += [([known], [Jump(node.place, label)]) for known, label in deep]
         return Select(node.place, value, parts)
 
     def _case(self, node: tree.Case) -> Act:
-        raise CError(node.place, "this case stands in no switch, or too deep in it")
+        """A case in a loop or branch of its switch: a label that the switch jumps to."""
+        if not self.deep:
+            raise CError(node.place, "this case stands in no switch")
+        known = None if node.value is None else self.constant(node.value)
+        label = f"case {node.place.line} {node.place.column}"
+        self.deep[-1].append((known, label))
+        self.jumps.append((label, node.place))
+        self.labels.add(label)
+        return Mark(node.place, label)
 
     def _break(self, node: tree.Break) -> Act:
         return Leave(node.place)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from bgi.turboc.checker.checkvalues import Values
-from bgi.turboc.checker.conversions import converted, decayed, is_place, passed
+from bgi.turboc.checker.conversions import as_other, converted, decayed, is_place, passed
 from bgi.turboc.checker.typed import (
     Constant,
     Creation,
+    Inverse,
     Invocation,
     Itself,
     LibraryCall,
@@ -238,6 +239,11 @@ class Calls(Values):
             return self.method(left, name, right, place)
         if op == "=" and isinstance(left.type, StructType):
             return self._assigned(left, right[0], place)
+        numbers = [as_other(one) or one for one in (left, *right)]
+        if len(right) == 1 and not any(isinstance(one.type, StructType) for one in numbers):
+            return self.binary(op, numbers[0], numbers[1], place)
+        if not right and op == "!" and numbers[0] is not left:
+            return Inverse(place, INT, numbers[0])
         kinds = " and ".join(described(decayed(one).type) for one in (left, *right))
         raise CError(place, f"there is no {op} for {kinds}")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bgi.turboc.checker.checkactions import Actions, ends, is_made
 from bgi.turboc.checker.conversions import converted
 from bgi.turboc.checker.headers import Headers
-from bgi.turboc.checker.scopes import Scope
+from bgi.turboc.checker.scopes import Scope, python_name
 from bgi.turboc.checker.typed import (
     Act,
     Compute,
@@ -24,6 +24,7 @@ from bgi.turboc.checker.types import (
     VOID,
     ArrayType,
     FunctionType,
+    IntType,
     ReferenceType,
     StructType,
     Symbol,
@@ -48,6 +49,7 @@ class Checker(Actions):
         self.result: Type = VOID
         self.variables: list[Symbol] = []
         self.jumps, self.labels = [], set()
+        self.deep = []
 
     def program(self, program: tree.Program) -> TypedProgram:
         """The typed tree; CErrors if something is wrong."""
@@ -267,15 +269,23 @@ class Checker(Actions):
             symbol = Symbol(node.name, type_, node.place, "global")
             cls.statics[node.name] = symbol
             self.statics.append(Define(node.place, symbol, None))
-        else:
-            cls.members[node.name] = type_
+        elif node.name:
+            cls.members[node.name] = type_ if node.bits is None else self._bits(node, type_)
+
+    def _bits(self, node: tree.Declarator, type_: Type) -> Type:
+        """A bit field: a whole number of so many bits."""
+        assert node.bits is not None
+        width = self.constant(node.bits)
+        if not isinstance(type_, IntType) or not 0 < width <= type_.bits:
+            raise CError(node.place, f"{node.name} cannot have {width} bits")
+        return IntType(width, type_.signed)
 
     def _declared_method(
         self, cls: StructType, node: tree.FunctionDef, type_: FunctionType
     ) -> Symbol:
         """The symbol of a method that is defined."""
         for one in cls.methods.get(node.name, []):
-            if one.type == type_ or (node.name[0] == "~"):
+            if one.type == type_ or node.name[0] == "~" or node.name.startswith("operator "):
                 return one
         return self._add_method(cls, node, type_, node.virtual)
 
@@ -362,29 +372,6 @@ def _implicit(node: tree.StructDef, name: str) -> tree.FunctionDef:
     type_ = nodes.TypeName(node.place, nodes.Words(("void",)), (nodes.FunctionPart(()),))
     body = tree.Block(node.place, ())
     return tree.FunctionDef(node.place, name, type_, body, cls=node.tag)
-
-
-_OPERATORS = {
-    **{"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "%": "remainder"},
-    **{"==": "equal", "!=": "differs", "<": "less", ">": "greater", "<=": "less_equal"},
-    **{">=": "greater_equal", "[]": "item", "()": "call", "=": "assigned", "++": "increment"},
-    **{"--": "decrement", "!": "inverse", "<<": "shift_left", ">>": "shift_right", "->": "arrow"},
-    **{"&&": "both", "||": "either", "&": "bit_and", "|": "bit_or", "^": "bit_xor", "~": "invert"},
-}
-
-
-def python_name(symbol: Symbol, number: int = 1) -> str:
-    """What a function is called in Python; several methods of one name are numbered."""
-    name = symbol.name
-    if symbol.owner is not None and name == symbol.owner.tag:
-        name = "construct_"
-    elif name.startswith("~"):
-        name = "destroy_"
-    elif name.startswith("operator"):
-        sign = name.removeprefix("operator").strip()
-        known = _OPERATORS.get(sign) or f"{_OPERATORS.get(sign[:-1], 'other')}_in_place"
-        name = f"{known}_"
-    return name if number == 1 else f"{name}_{number}"
 
 
 def check(program: tree.Program, headers: Headers, cplusplus: bool) -> TypedProgram:

@@ -6,11 +6,13 @@ from bgi.turboc.checker.folding import arithmetic, comparison, fitted
 from bgi.turboc.checker.typed import (
     Address,
     Arithmetic,
+    Choice,
     Comparison,
     Constant,
     Converted,
     Element,
     Field,
+    MethodCall,
     Referred,
     Value,
     Variable,
@@ -91,7 +93,27 @@ def converted(value: Value, type_: Type, forced: bool = False) -> Value:
         return Converted(value.place, type_, value)
     if isinstance(value.type, StructType) and value.type.descends(type_):
         return Converted(value.place, type_, value)
+    made = as_other(value, type_) if isinstance(value.type, StructType) else None
+    if made is not None:
+        return converted(made, type_)
     raise CError(value.place, f"{described(value.type)} cannot become {described(type_)}")
+
+
+def as_other(value: Value, type_: Type | None = None) -> Value | None:
+    """An object as another type, or as any number: by the operator of its class, if it has one."""
+    cls = value.type if isinstance(value.type, StructType) else None
+    found: list[Value] = []
+    while cls is not None:
+        for name, methods in cls.methods.items():
+            function = methods[0].type
+            if name.startswith("operator ") and isinstance(function, FunctionType):
+                exact = not methods[0].virtual
+                call = MethodCall(value.place, function.result, value, methods[0], (), exact)
+                found.append(call)
+        cls = cls.base
+    number = type_ is None or is_number(type_)
+    usable = [one for one in found if one.type == type_ or (number and is_number(one.type))]
+    return next((one for one in usable if one.type == type_), usable[0] if usable else None)
 
 
 def _points(value: Value, type_: PointerType, forced: bool) -> bool:
@@ -110,6 +132,9 @@ def _referred(value: Value, type_: ReferenceType) -> Value:
     )
     if not same:
         value = converted(value, type_.to)
+    if isinstance(value, Choice) and is_place(value.yes) and is_place(value.no):
+        either = _referred(value.yes, type_), _referred(value.no, type_)
+        return Choice(value.place, type_, value.condition, *either)
     if is_place(value):
         addressed(value)
     return Address(value.place, type_, value)

@@ -51,3 +51,29 @@ class Namer:
             chosen = f"{wanted}_{number}"
         self.taken.add(chosen)
         return chosen
+
+
+_OPERATORS = {
+    **{"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "%": "remainder"},
+    **{"==": "equal", "!=": "differs", "<": "less", ">": "greater", "<=": "less_equal"},
+    **{">=": "greater_equal", "[]": "item", "()": "call", "=": "assigned", "++": "increment"},
+    **{"--": "decrement", "!": "inverse", "<<": "shift_left", ">>": "shift_right", "->": "arrow"},
+    **{"&&": "both", "||": "either", "&": "bit_and", "|": "bit_or", "^": "bit_xor", "~": "invert"},
+}
+
+
+def python_name(symbol: Symbol, number: int = 1) -> str:
+    """What a function is called in Python; several methods of one name are numbered."""
+    name = symbol.name
+    if symbol.owner is not None and name == symbol.owner.tag:
+        name = "construct_"
+    elif name.startswith("~"):
+        name = "destroy_"
+    elif name.startswith("operator"):
+        sign = name.removeprefix("operator").strip()
+        if sign[0].isalpha():
+            known = "to_" + sign.replace(" ", "_").replace("*", "_pointer")
+        else:
+            known = _OPERATORS.get(sign) or f"{_OPERATORS.get(sign[:-1], 'other')}_in_place"
+        name = f"{known}_"
+    return name if number == 1 else f"{name}_{number}"

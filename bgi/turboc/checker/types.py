@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -226,13 +227,29 @@ def size(type_: Type) -> int:
         case ArrayType(of, count):
             return count * size(of)
         case StructType():
-            sizes = [size(member) for member in type_.all_members().values()]
+            sizes = _sizes(type_.all_members().values())
             return (max if type_.kind == "union" else sum)(sizes) if sizes else 1
         case ReferenceType(to):
             return size(to)
         case VoidType():
             return 1
     return 4
+
+
+def _sizes(members: Iterable[Type]) -> list[int]:
+    """The bytes of each member; bit fields beside each other share words."""
+    sizes: list[int] = []
+    free = 0
+    for one in members:
+        if isinstance(one, IntType) and one.bits not in (8, 16, 32):
+            if one.bits > free:
+                sizes.append(2)
+                free = 16
+            free -= one.bits
+        else:
+            sizes.append(size(one))
+            free = 0
+    return sizes
 
 
 def flat(type_: Type) -> int:
@@ -265,4 +282,4 @@ def described(type_: Type) -> str:
             return f"{described(result)}({', '.join(map(described, parameters))})"
         case StructType():
             return type_.tag if not type_.tag[0].isdigit() else type_.kind
-    return _NAMES[type_]
+    return _NAMES.get(type_, "int")

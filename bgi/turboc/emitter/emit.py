@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from bgi.turboc.checker.checking import python_name
 from bgi.turboc.checker.headers import Headers
-from bgi.turboc.checker.scopes import Namer
+from bgi.turboc.checker.scopes import Namer, python_name
 from bgi.turboc.checker.typed import Define, Routine, TypedProgram
 from bgi.turboc.checker.types import (
     VOID,
@@ -77,6 +77,7 @@ class _Emitter(ActionWriter):
         for routine in program.routines:
             if routine.symbol.owner is not None:
                 methods.setdefault(routine.symbol.owner, []).append(routine)
+        self.hidden = {one for cls in program.structs for one in _hidden(cls)}
         for cls in program.structs:
             self._class(cls, methods.get(cls, []))
         for cls in program.structs:
@@ -203,6 +204,15 @@ class _Emitter(ActionWriter):
         if isinstance(symbol.type, ArrayType):
             return text
         return self.cell(text, symbol.type) if is_cell(symbol) else text
+
+
+def _hidden(cls: StructType) -> Iterator[Symbol]:
+    """The methods of its bases that its own hide in Python."""
+    own = {one.python for methods in cls.methods.values() for one in methods}
+    base = cls.base
+    while base is not None:
+        yield from (one for same in base.methods.values() for one in same if one.python in own)
+        base = base.base
 
 
 def _shared_format(type_: Type) -> str:

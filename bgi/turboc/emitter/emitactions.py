@@ -139,11 +139,16 @@ class ActionWriter(ValueWriter):
                     self.line(f"_one.{found.python}()")
 
     def _branch(self, act: Branch) -> None:
-        with self.block(f"if {self.test(act.condition)}:"):
-            self.act(act.yes)
-        if act.no is not None:
+        one: Act | None = act
+        word = "if"
+        while isinstance(one, Branch):
+            self.place = one.place
+            with self.block(f"{word} {self.test(one.condition)}:"):
+                self.act(one.yes)
+            one, word = one.no, "elif"
+        if one is not None:
             with self.block("else:"):
-                self.act(act.no)
+                self.act(one)
 
     def _loop(self, act: Loop) -> None:
         if act.first is not None:

@@ -76,6 +76,8 @@ class Places:
         """Functions of the library that are called."""
         self.assigned: set[str] = set()
         """Global variables that the function assigns to."""
+        self.hidden: set[Symbol] = set()
+        """Methods of whose names a class that is derived has others."""
         self.strings: dict[bytes, str] = {}
         self.temporaries = 0
 

@@ -359,9 +359,8 @@ class ValueWriter(Objects):
         types = method.type.parameters if method.owner.library else ()
         if method.static:
             return self.called(f"{method.owner.python}.{method.python}", value.arguments, types)
-        if (value.exact and not method.owner.library and base != "self") or (
-            value.exact and base == "self" and method.owner is not value.base.type
-        ):
+        inherited = method.owner is not value.base.type or method in self.hidden
+        if value.exact and (inherited if base == "self" else not method.owner.library):
             texts, before = self.arguments(value.arguments, types)
             call = f"{method.owner.python}.{method.python}({base}{', ' * bool(texts)}{texts})"
             return f"({before}, {call})[-1]" if before else call

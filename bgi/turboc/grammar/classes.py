@@ -43,6 +43,8 @@ class Classes(Statements):
 
     def _member_of(self, tag: str, virtuals: set[str], pure: set[str]) -> list[Member_]:
         """The members that one declaration declares, and the types that it defines."""
+        if self.at("operator") and self.starts_type(1):
+            return [self._conversion(tag)]
         said = self._specifiers_of_member(tag)
         if said.storage == "friend":
             self.skip_statement()
@@ -50,7 +52,7 @@ class Classes(Statements):
         made: list[Member_] = list(said.defined)
         if self.accept(";"):
             return made
-        found = self._bits(self.declarator(abstract=True))
+        found = self.declarator(abstract=True)
         if found.parts and isinstance(found.parts[0], FunctionPart):
             if said.virtual:
                 virtuals.add(found.name)
@@ -61,16 +63,25 @@ class Classes(Statements):
                 pure.add(found.name)
         names = [self._plain(said, found)]
         while self.accept(","):
-            names.append(self._plain(said, self._bits(self.declarator(abstract=True))))
+            names.append(self._plain(said, self.declarator(abstract=True)))
         self.expect(";")
         return [*made, Declaration(said.place, tuple(names))]
 
-    def _bits(self, found: Named_) -> Named_:
-        """A member after which a width in bits may stand, which says nothing here."""
-        if self.at(":") and not any(isinstance(part, FunctionPart) for part in found.parts):
-            self.take()
-            self.conditional()
-        return found
+    def _conversion(self, tag: str) -> Member_:
+        """`operator int()`: a method that says what an object is as another type."""
+        place = self.take().place
+        type_ = self.new_type()
+        name = f"operator {self.converted_to(type_)}"
+        self.expect("(")
+        part, _ = self.parameters()
+        self.accept("const")
+        said = Specifiers(place, type_.base)
+        found = Named_(place, name, (part, *type_.parts))
+        if self.at("{"):
+            return self.function(said, found, tag)
+        declared = Declaration(place, (self._plain(said, found),))
+        self.expect(";")
+        return declared
 
     def _specifiers_of_member(self, tag: str) -> Specifiers:
         """Those of a member; a constructor and a destructor have none."""
@@ -83,8 +94,12 @@ class Classes(Statements):
         return self.specifiers()
 
     def _plain(self, said: Specifiers, found: Named_) -> Declarator:
+        """A member, behind which the width of a bit field may stand."""
         type_ = TypeName(said.place, said.base, found.parts)
-        return Declarator(found.place, found.name, type_, storage=said.storage, const=said.const)
+        width = self.conditional() if self.accept(":") else None
+        return Declarator(
+            found.place, found.name, type_, storage=said.storage, const=said.const, bits=width
+        )
 
     # Functions
 

@@ -207,8 +207,19 @@ class Declarations(Expressions):
             scope = name
             name = "~" + self.name().text if self.accept("~") else self.name().text
         if self.cplusplus and name == "operator":
-            name += self.operator_name()
+            type_ = self.new_type() if self.starts_type() else None
+            name += f" {self.converted_to(type_)}" if type_ else self.operator_name()
         return name, scope
+
+    def converted_to(self, type_: TypeName) -> str:
+        """A type in the name of the operator that converts to it."""
+        base = type_.base
+        match base:
+            case Words(several):
+                words = " ".join(several)
+            case Named(word) | Tagged(_, word):
+                words = word
+        return words + "*" * len(type_.parts)
 
     def _suffixes(self, arguments: bool) -> tuple[list[Part], tuple[str, ...]]:
         """`[3]` and `(int a)` behind a name; the names of parameters in the old style."""

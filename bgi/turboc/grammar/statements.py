@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bgi.turboc.faults import CError
+from bgi.turboc.faults import CError, Place
 from bgi.turboc.grammar.declarations import Declarations
 from bgi.turboc.grammar.nodes import Expr
 from bgi.turboc.grammar.tree import (
@@ -97,10 +97,19 @@ class Statements(Declarations):
         return condition
 
     def _if(self) -> Stmt:
-        place = self.take().place
-        condition = self._condition()
-        yes = self._body()
-        return If(place, condition, yes, self._body() if self.accept("else") else None)
+        chain: list[tuple[Place, Expr, Stmt]] = []
+        no: Stmt | None = None
+        while no is None:  # else if ... else if ... is a chain, however long
+            place = self.take().place
+            chain.append((place, self._condition(), self._body()))
+            if not self.accept("else"):
+                break
+            if not self.at("if"):
+                no = self._body()
+        for place, condition, yes in reversed(chain):
+            no = If(place, condition, yes, no)
+        assert no is not None
+        return no
 
     def _while(self) -> Stmt:
         place = self.take().place

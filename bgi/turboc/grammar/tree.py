@@ -27,6 +27,8 @@ class Declarator:
     arguments: tuple[Expr, ...] | None = None
     storage: str = ""
     const: bool = False
+    bits: Expr | None = None
+    """How wide a bit field is."""
 
 
 @dataclass(frozen=True, slots=True)
