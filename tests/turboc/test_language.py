@@ -69,3 +69,46 @@ def test_methods_of_a_base_call_its_own(result):
     """
     assert result("B b; b.g();", classes, ".CPP") == 1
     assert result("A *a = new B; delete a; r = log;", classes, ".CPP") == 21
+
+
+def test_arguments_are_computed_from_right_to_left_where_it_shows(result):
+    pair = "int pair(int a, int b) { return a * 10 + b; } int g; int next() { return ++g; }"
+    assert result("int i = 1; r = pair(i, i++) * 100 + pair(i, ++i);", pair) == 21 * 100 + 33
+    assert result("r = pair(g, next());", pair) == 11
+    assert result("char s[3] = {1, 2}, *p = s; r = pair(*p, *++p);", pair) == 22
+
+
+def test_names_that_mean_something_in_python_mean_nothing(result):
+    before = """
+        struct lambda { int None, in, copy, assign, SIZE, __class__, _x; char self[3]; } def;
+        int print(int __import__) { return __import__ + 1; }
+        int None(int self) { return self; }
+        int __builtins__ = 4, eval = 5, _1 = 6, _more;
+    """
+    members = "def.None = 1; def.in = 2; def.copy = 3; def.assign = 4; def.SIZE = 5; def._x = 7;"
+    body = f"struct lambda is; {members} def.__class__ = 6; is = def; is.self[0] = 8;"
+    assert result(f"{body} r = is.None + is.in + is.copy + is.SIZE + is._x + is.__class__;", before)
+    assert result(f"{body} r = is.__class__ * 10 + is._x + is.self[0] + def.self[0];", before) == 75
+    body = "int True = 1, nonlocal; nonlocal = print(True) + None(_1); r = nonlocal + __builtins__;"
+    assert result(f"{body} r += eval + _more;", before) == 2 + 6 + 4 + 5
+    methods = "struct A { int v; void copy() { v = 1; } int assign(int in) { return v + in; } };"
+    assert result("A a, b; a.copy(); b = a; r = b.assign(4);", methods, ".CPP") == 5
+
+
+def test_members_begin_with_strings_of_their_own(result):
+    names = 'struct n { char in[4]; char *p; }; struct n a = {"ab", "ab"}, b = {"ab"};'
+    assert result("a.in[0] = 'x'; r = b.in[0] * 100 + *a.p + sizeof(a.in);", names) == 9801
+
+
+def test_objects_that_a_list_leaves_out_are_constructed(result):
+    point = "struct P { int x; P(int n = 7) { x = n; } };"
+    assert result("P p[3] = {P(1)}; r = p[0].x * 100 + p[1].x + p[2].x;", point, ".CPP") == 114
+
+
+def test_a_choice_of_characters_is_one_in_cplusplus(result):
+    kinds = "int f(int) { return 1; } int f(char) { return 2; }"
+    assert result("r = f(r ? 'a' : 'b');", kinds, ".CPP") == 2
+
+
+def test_std_may_stand_before_names(result):
+    assert result("r = std::abs(-4);", "\n#include <cmath>\nusing namespace std;", ".CPP") == 4

@@ -70,7 +70,7 @@ def test_values_of_cplusplus(text, expected):
             "(Switch a (Block (Block (Case 1) (Block (Case 2) b;)) (Break) (Block (Case -) c;)))",
         ),
         ("again: goto again; return;", "(Block (Label again) (Goto again)) (Return -)"),
-        ("T x; x * y;", "(Declaration (Declarator x <T> - - False)) (* x y);"),
+        ("T x; x * y;", "(Declaration (Declarator x <T> - - False -)) (* x y);"),
         ("asm mov ax, 3", "(Asm mov ax , 3)"),
         ("asm { int 10h; }", "(Asm int 10 h ;)"),
     ],
@@ -141,7 +141,7 @@ def test_a_class():
 def test_a_variable_of_the_name_of_a_type_hides_it():
     assert (
         body("int T; T = 3; T * 2;")
-        == "(Declaration (Declarator T <int> - - False)) (= T 3); (* T 2);"
+        == "(Declaration (Declarator T <int> - - False -)) (= T 3); (* T 2);"
     )
 
 

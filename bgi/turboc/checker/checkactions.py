@@ -263,6 +263,10 @@ class Actions(Calls):
         assert isinstance(type_, ArrayType)
         while rest and (not type_.count or len(items) < type_.count):
             items.append(self._item(rest, type_.of))
+        inner = innermost(type_.of)
+        if isinstance(inner, StructType) and is_made(inner):
+            missing = range(len(items), type_.count)
+            items += [self.created(inner, type_.of, [], place, None) for _ in missing]
         return Listed(place, ArrayType(type_.of, type_.count or len(items)), tuple(items))
 
     def _item(self, rest: list[nodes.Expr], type_: Type) -> Value:

@@ -270,7 +270,9 @@ class Values(Meaning):
     def _conditional(self, node: nodes.Conditional) -> Value:
         condition = self.condition(node.condition)
         yes, no = self.computed(node.yes), self.computed(node.no)
-        if is_number(yes.type) and is_number(no.type):
+        if yes.type == no.type:
+            type_ = yes.type
+        elif is_number(yes.type) and is_number(no.type):
             type_ = common(yes.type, no.type)
         else:
             null = isinstance(yes, Constant) or is_number(yes.type)

@@ -37,14 +37,26 @@ class Scope:
         return None
 
 
+RESERVED = frozenset(["SIZE", "MEMBERS", "assign", "copy", "filled", "shared_bytes", "self"])
+"""What every object has in Python."""
+
+
+def safe(name: str) -> str:
+    """A name of C that means nothing in Python: no keyword, nothing that begins with `_`."""
+    if name[0] == "_":
+        return f"c{name}"
+    return f"{name}_" if keyword.iskeyword(name) or name in RESERVED else name
+
+
 class Namer:
     """Gives each thing a Python name of its own, C's where it can be."""
 
     def __init__(self, taken: Iterable[str]) -> None:
-        self.taken = set(taken) | set(keyword.kwlist)
+        self.taken = set(taken)
 
     def name(self, wanted: str, known: Iterable[str] = ()) -> str:
         """A name that is not taken, which then is."""
+        wanted = safe(wanted)
         chosen, number = wanted, 1
         while chosen in self.taken or chosen in known:
             number += 1
@@ -64,8 +76,8 @@ _OPERATORS = {
 
 def python_name(symbol: Symbol, number: int = 1) -> str:
     """What a function is called in Python; several methods of one name are numbered."""
-    name = symbol.name
-    if symbol.owner is not None and name == symbol.owner.tag:
+    name = safe(symbol.name)
+    if symbol.owner is not None and symbol.name == symbol.owner.tag:
         name = "construct_"
     elif name.startswith("~"):
         name = "destroy_"

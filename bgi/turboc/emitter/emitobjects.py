@@ -74,7 +74,7 @@ class Objects(Places):
         type_ = value.type
         if isinstance(type_, StructType):
             items = [
-                f"{name}={self.given(item)}"
+                f"{self.attribute(name)}={self._member(item)}"
                 for name, item in zip(type_.all_members(), value.items, strict=True)
                 if item is not None
             ]
@@ -87,6 +87,12 @@ class Objects(Places):
             text = f"bytearray([{', '.join(f'{item} & 255' for item in texts)}])"
         missing = flat(type_) - len(texts)
         return f"({text} + {self.many(one, str(missing))})" if missing else text
+
+    def _member(self, value: Value) -> str:
+        """A member's first value: a string in an array of its own."""
+        if isinstance(value, Quoted) and isinstance(value.type, ArrayType):
+            return _characters(value, value.type)
+        return self.given(value)
 
     def _flatten(self, value: Value, texts: list[str]) -> None:
         """The elements of an array of any depth, one after the other."""
@@ -110,9 +116,14 @@ class Objects(Places):
         if value is None:
             text = self.nothing(type_)
         elif isinstance(value, Quoted) and isinstance(type_, ArrayType):
-            text = f"bytearray({value.data.ljust(type_.count, bytes(1))!r})"
+            text = _characters(value, type_)
         elif isinstance(type_, ReferenceType):
             text = self.value(value)
         else:
             text = self.given(value)
         return self.cell(text, type_) if is_cell(symbol) else text
+
+
+def _characters(value: Quoted, type_: ArrayType) -> str:
+    """A string that an array begins with."""
+    return f"bytearray({value.data.ljust(type_.count, bytes(1))!r})"

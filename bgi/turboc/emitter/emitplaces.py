@@ -6,7 +6,7 @@ import re
 from typing import NamedTuple
 
 from bgi.turboc.checker.headers import Headers
-from bgi.turboc.checker.scopes import Namer
+from bgi.turboc.checker.scopes import Namer, safe
 from bgi.turboc.checker.typed import (
     Address,
     Constant,
@@ -131,7 +131,7 @@ class Places:
         """A string, which all that write the same share."""
         name = self.strings.get(value.data)
         if name is None:
-            name = self.strings[value.data] = self.namer.name(f"_text_{len(self.strings) + 1}")
+            name = self.strings[value.data] = self.namer.name(f"text_{len(self.strings) + 1}")
         return name
 
     def scaled(self, count: str, by: int) -> str:
@@ -177,9 +177,7 @@ class Places:
 
     def attribute(self, name: str) -> str:
         """The Python name of a member."""
-        import keyword
-
-        return name + "_" if keyword.iskeyword(name) else name
+        return safe(name)
 
     def memory_spot(self, memory: str, at: str, type_: Type) -> Spot:
         """An element of a memory; those of characters hold bytes."""

@@ -55,20 +55,8 @@ from bgi.turboc.checker.types import (
 from bgi.turboc.emitter.emitobjects import Objects
 from bgi.turboc.emitter.emitplaces import Spot, is_cell
 from bgi.turboc.emitter.layouts import layout, pointed
+from bgi.turboc.emitter.order import order_matters
 from bgi.turboc.emitter.wrapping import cut, fits, interval, wrapped
-
-_CALLS = (Invocation, LibraryCall, MethodCall, Store, Update, Advance, Creation, Destruction)
-
-
-def has_effects(value: Any) -> bool:
-    """Whether something happens while a value is computed."""
-    if isinstance(value, _CALLS):
-        return True
-    if isinstance(value, tuple):
-        return any(map(has_effects, value))
-    if not isinstance(value, Value):
-        return False
-    return any(has_effects(getattr(value, name)) for name in type(value).__slots__)
 
 
 class ValueWriter(Objects):
@@ -304,7 +292,7 @@ class ValueWriter(Objects):
             self.argument(value, types[place] if place < len(types) else None)
             for place, value in enumerate(values)
         ]
-        if sum(map(has_effects, values)) < 2:
+        if not order_matters(values):
             return ", ".join(texts), ""
         before: list[str] = []
         for place in range(len(values) - 1, -1, -1):

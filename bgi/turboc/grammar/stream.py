@@ -20,12 +20,22 @@ DROPPED = frozenset(_DROPPED.split())
 """Words that ask for what a PC's memory or a linker needed: here they say nothing."""
 
 
+def _without_std(words: list[Token]) -> Iterator[Token]:
+    """The words without `std::`: all that the library has stands in one place here."""
+    before = ""
+    for word, after in zip(words, [*words[1:], words[-1]], strict=True):
+        standard = word.text == "std" and after.text == "::"
+        if not standard and not (word.text == "::" and before == "std"):
+            yield word
+        before = word.text
+
+
 class Stream:
     """Words to look at and to take."""
 
     def __init__(self, words: list[Token]) -> None:
         kept = [word for word in words if word.text not in DROPPED or word.kind != "name"]
-        self._words = kept
+        self._words = list(_without_std(kept))
         self._position = 0
         self._depth = 0
 
