@@ -31,7 +31,10 @@ PROGRAM = "<C program>"
 """What Python calls the file of the emitted program."""
 
 DEEPEST = 20_000
-"""Calls of functions within each other."""
+"""Calls within each other while a program is read."""
+
+MOST_CALLS = 330_000
+"""Calls of its functions within each other: a flood fill by recursion has one for each pixel."""
 
 PREDEFINED = {"__TURBOC__": "0x401", "__MSDOS__": "1", "__LARGE__": "1"}
 
@@ -182,7 +185,7 @@ class Runnable:
             return int(names[self.emitted.main](*_given(self.file, arguments)) or 0) & 0xFF
 
         before = sys.getrecursionlimit()
-        sys.setrecursionlimit(DEEPEST)
+        sys.setrecursionlimit(MOST_CALLS)
         try:
             return session.run(main)
         except (BGIError, KeyboardInterrupt):

@@ -43,6 +43,9 @@ _LEVELS = {
     for operator in operators.split()
 }
 _ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="}
+MOST_PARTS = 1000
+"""Of one expression in a row: terms, or calls and indices."""
+
 _SIGNS = {"-", "+", "!", "~", "*", "&"}
 
 
@@ -98,12 +101,20 @@ class Expressions(Stream):
     def binary(self, lowest: int) -> Expr:
         """Operators between operands, of a level or above; those of one level from the left."""
         left = self.cast()
+        terms = 0
         while (level := _LEVELS.get(self.word.text, -1)) >= lowest:
             operator = self.take()
+            terms = self._one_more(terms)
             right = self.binary(level + 1)
             kind = Logical if level < 2 else Binary
             left = kind(operator.place, operator.text, left, right)
         return left
+
+    def _one_more(self, count: int) -> int:
+        """Count the parts of a value; CError for too many."""
+        if count >= MOST_PARTS:
+            raise self.error("this is too long for one expression")
+        return count + 1
 
     def cast(self) -> Expr:
         """`(type) operand`"""
@@ -165,8 +176,10 @@ class Expressions(Stream):
     def postfix(self) -> Expr:
         """Calls, indices, members and `++` behind a value."""
         value = self.primary()
+        parts = -1
         while True:
             word = self.word
+            parts = self._one_more(parts)
             if self.accept("("):
                 value = Call(word.place, value, self._arguments())
             elif self.accept("["):
