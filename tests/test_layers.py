@@ -148,7 +148,7 @@ LAYERS = [
     "bgi.turboc.checker.checking",
     "bgi.turboc.emitter.wrapping",
     "bgi.turboc.emitter.loops",
-    "bgi.turboc.emitter.order",
+    "bgi.turboc.emitter.effects",
     "bgi.turboc.emitter.gotos",
     "bgi.turboc.emitter.layouts",
     "bgi.turboc.emitter.emitplaces",

@@ -16,6 +16,7 @@ from bgi.turboc.checker.types import (
     StructType,
     Symbol,
     Type,
+    flat,
     innermost,
     size,
 )
@@ -60,6 +61,8 @@ class Emitted(NamedTuple):
     used: set[str]
     """Names of the library."""
     main: str
+    frame: int
+    """The bytes that the variables of one call take at most."""
 
 
 class _Emitter(ActionWriter):
@@ -94,7 +97,8 @@ class _Emitter(ActionWriter):
         ]
         text = "\n".join([*strings, *self.lines, ""])
         places = [NOWHERE] * len(strings) + self.places
-        return Emitted(text, places, self.used, program.main.python)
+        frame = max(sum(flat(one.type) for one in r.variables) for r in program.routines) * 8
+        return Emitted(text, places, self.used, program.main.python, frame)
 
     def _global(self, defined: Define) -> None:
         self.place = defined.place

@@ -66,7 +66,7 @@ class Objects(Places):
         owner, name = value.destructor.owner, value.destructor.python
         assert owner is not None
         method = (
-            f"lambda one: one.{name}()" if value.destructor.virtual else f"{owner.python}.{name}"
+            f"lambda _one: _one.{name}()" if value.destructor.virtual else f"{owner.python}.{name}"
         )
         return f"destroy({text}, {value.array}, {method})"
 

@@ -52,10 +52,10 @@ from bgi.turboc.checker.types import (
     innermost,
     size,
 )
+from bgi.turboc.emitter.effects import order_matters
 from bgi.turboc.emitter.emitobjects import Objects
 from bgi.turboc.emitter.emitplaces import Spot, is_cell
 from bgi.turboc.emitter.layouts import layout, pointed
-from bgi.turboc.emitter.order import order_matters
 from bgi.turboc.emitter.wrapping import cut, fits, interval, wrapped
 
 
@@ -223,7 +223,7 @@ class ValueWriter(Objects):
         ):
             one = innermost(type_.to)
             if one not in bytes_:
-                return f"typed({text}, {size(one)}, lambda n: {self.many(one, 'n')})"
+                return f"typed({text}, {size(one)}, lambda _n: {self.many(one, '_n')})"
         return text
 
     # Assignments
