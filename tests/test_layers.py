@@ -120,6 +120,7 @@ LAYERS = [
     "bgi",
     "bgi.demos",
     "bgi.turboc.faults",
+    "bgi.turboc.explaining",
     "bgi.turboc.words.source",
     "bgi.turboc.words.lexer",
     "bgi.turboc.words.conditions",

@@ -7,7 +7,6 @@ import math
 import os
 import sys
 from collections.abc import Callable, Sequence
-from types import TracebackType
 from typing import Any
 
 from bgi.errors import BGIError
@@ -15,6 +14,7 @@ from bgi.turboc.checker.checking import check
 from bgi.turboc.checker.folding import single
 from bgi.turboc.checker.headers import Headers
 from bgi.turboc.emitter.emit import Emitted, emit
+from bgi.turboc.explaining import PROGRAM, explained
 from bgi.turboc.faults import NOWHERE, CError, CErrors, Place
 from bgi.turboc.grammar.parser import parse
 from bgi.turboc.grammar.tree import Program
@@ -27,14 +27,14 @@ from bgi.turboc.runtime.session import Session
 from bgi.turboc.words.preprocess import preprocess
 from bgi.turboc.words.source import decode
 
-PROGRAM = "<C program>"
-"""What Python calls the file of the emitted program."""
-
 DEEPEST = 20_000
 """Calls within each other while a program is read."""
 
 MOST_CALLS = 330_000
 """Calls of its functions within each other: a flood fill by recursion has one for each pixel."""
+
+STACK = 256 << 20
+"""Bytes that the variables of these calls may take."""
 
 PREDEFINED = {"__TURBOC__": "0x401", "__MSDOS__": "1", "__LARGE__": "1"}
 
@@ -185,25 +185,15 @@ class Runnable:
             return int(names[self.emitted.main](*_given(self.file, arguments)) or 0) & 0xFF
 
         before = sys.getrecursionlimit()
-        sys.setrecursionlimit(MOST_CALLS)
+        sys.setrecursionlimit(min(MOST_CALLS, DEEPEST // 10 + STACK // (self.emitted.frame + 1)))
         try:
             return session.run(main)
         except (BGIError, KeyboardInterrupt):
             raise
         except Exception as error:
-            raise self._fault(error) from error
+            raise explained(error, self.emitted.places) from error
         finally:
             sys.setrecursionlimit(before)
-
-    def _fault(self, error: Exception) -> CError:
-        """What a Python exception says of the C program, and where."""
-        place = NOWHERE
-        step: TracebackType | None = error.__traceback__
-        while step is not None:
-            if step.tb_frame.f_code.co_filename == PROGRAM:
-                place = self.emitted.places[step.tb_lineno - 1]
-            step = step.tb_next
-        return CError(place, _meaning(error))
 
 
 def _given(file: str, arguments: Sequence[str]) -> tuple[Any, ...]:
@@ -212,19 +202,3 @@ def _given(file: str, arguments: Sequence[str]) -> tuple[Any, ...]:
         Pointer(bytearray(f"{word}\0".encode("cp437", "replace"))) for word in (file, *arguments)
     ]
     return len(words), Pointer([*words, None]), Pointer([None])
-
-
-def _meaning(error: Exception) -> str:
-    """A fault in C's words."""
-    text = str(error)
-    if isinstance(error, ZeroDivisionError):
-        return "division by zero"
-    if isinstance(error, IndexError):
-        return "outside of an array"
-    if isinstance(error, RecursionError):
-        return "the stack overflowed: does a function call itself without end?"
-    if isinstance(error, (MemoryError, OverflowError)):
-        return f"too large: {text}"
-    if isinstance(error, (AttributeError, TypeError)) and "NoneType" in text:
-        return "a null pointer was used"
-    return f"{text} ({type(error).__name__})"

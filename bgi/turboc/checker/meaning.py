@@ -17,6 +17,7 @@ from bgi.turboc.checker.types import (
     StructType,
     Symbol,
     Type,
+    flat,
     of_words,
 )
 from bgi.turboc.faults import CError, Place
@@ -92,7 +93,10 @@ class Meaning:
             case nodes.ReferencePart():
                 return ReferenceType(type_)
             case nodes.ArrayPart(size):
-                return ArrayType(type_, self.count(size) if size is not None else 0)
+                made = ArrayType(type_, self.count(size) if size is not None else 0)
+                if flat(made) > MOST_ELEMENTS:
+                    raise CError(place, f"an array of {flat(made)} elements is too large")
+                return made
             case nodes.FunctionPart(parameters, open_):
                 return FunctionType(type_, tuple(map(self.parameter_type, parameters)), open_)
 

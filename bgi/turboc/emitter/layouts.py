@@ -24,7 +24,8 @@ def letter(type_: Type) -> str:
         case FloatType(bits):
             return _REALS[bits]
         case IntType(bits, signed):
-            return _INTEGERS[bits] if signed else _INTEGERS[bits].upper()
+            made = _INTEGERS.get(bits, "h")  # a bit field lies in a word
+            return made if signed else made.upper()
     return ""
 
 

@@ -2,14 +2,15 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import NamedTuple
 
 from bgi.turboc.faults import CError, Place
 from bgi.turboc.words.conditions import evaluate
 from bgi.turboc.words.lexer import Token, tokens
 
-MOST_TOKENS = 2_000_000
-"""Words of a program with its macros expanded."""
+MOST_TOKENS = 500_000
+"""Words of a program, and of its macros as they are expanded."""
 
 DEEPEST = 20
 """Files that include each other."""
@@ -63,20 +64,22 @@ class _Preprocessor:
         self.included: set[str] = set()
         self.output: list[Token] = []
         self.errors: list[CError] = []
-        self._depth = 0
+        self._depth = self._steps = 0
 
     def read(self, text: str, file: str, depth: int) -> None:
         """Follow the directives of one file; its words go to the output."""
         self._depth = depth
         try:
-            words = list(tokens(text, file))[:-1]
+            words = list(islice(tokens(text, file), MOST_TOKENS))[:-1]
+            if len(words) == MOST_TOKENS - 1:
+                raise CError(words[-1].place, "this file is too long")
         except CError as error:
             self.errors.append(error)
             return
         # For each #if that is open: whether its part is read, and whether one of its parts was.
         self._parts: list[list[bool]] = []
         position = 0
-        while position < len(words):
+        while position < len(words) and self._steps <= MOST_TOKENS:
             end = position + 1
             if words[position].text == "#" and words[position].first:
                 while end < len(words) and not words[end].first:
@@ -94,10 +97,7 @@ class _Preprocessor:
 
     def _emit(self, words: list[Token]) -> None:
         try:
-            for word in self.expand(words):
-                self.output.append(word)
-                if len(self.output) > MOST_TOKENS:
-                    raise CError(word.place, "the macros make too much of this program")
+            self.output += self.expand(words)
         except CError as error:
             self.errors.append(error)
 
@@ -193,6 +193,9 @@ class _Preprocessor:
         while position < len(rest):
             word = rest[position]
             position += 1
+            self._steps += 1
+            if self._steps > MOST_TOKENS:
+                raise CError(word.place, "the macros make too much of this program")
             macro = self.macros.get(word.text) if word.kind == "name" else None
             if word.text in ("__LINE__", "__FILE__") and word.kind == "name":
                 yield _known(word)
