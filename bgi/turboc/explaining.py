@@ -34,6 +34,10 @@ _TEXTS = {
 """By what Python's own message holds."""
 
 
+_PLAIN = (IndexError, KeyError, OverflowError, NameError, RecursionError, MemoryError)
+"""Of these Python's own message says nothing that helps."""
+
+
 def explained(error: Exception, places: list[Place]) -> CError:
     """A fault of the C program.
 
@@ -58,7 +62,7 @@ def _message(error: Any, told: bool) -> str:
     known = next((message for part, message in _TEXTS.items() if part in text), None)
     if known is not None:
         return known
-    if told and text and not isinstance(error, (IndexError, KeyError, OverflowError, NameError)):
+    if told and text and not isinstance(error, _PLAIN):
         return text
     kinds = (message for kind, message in _MESSAGES.items() if isinstance(error, kind))
     return next(kinds, f"this cannot be done here: {text}")

@@ -60,7 +60,7 @@ def destroy(pointer: Any, array: bool, destructor: Callable[[Any], Any]) -> None
 
 _HELPERS: dict[str, Any] = {
     **{name: getattr(memory, name) for name in ("Pointer", "MemberPlace", "CharMember", "Record")},
-    **{name: getattr(memory, name) for name in ("typed", "put", "put_member", "index")},
+    **{name: getattr(memory, name) for name in ("typed", "room", "put", "put_member", "index")},
     **{"single": single, "remainder": remainder, "number": number, "destroy": destroy},
     **{"int": int, "float": float, "range": range, "max": max, "bytearray": bytearray},
     **{"Union": memory.Union, "shared": memory.shared},

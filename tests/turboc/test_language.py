@@ -112,3 +112,13 @@ def test_a_choice_of_characters_is_one_in_cplusplus(result):
 
 def test_std_may_stand_before_names(result):
     assert result("r = std::abs(-4);", "\n#include <cmath>\nusing namespace std;", ".CPP") == 4
+
+
+def test_a_class_may_be_declared_before_it_is_defined(result):
+    classes = """
+        class B;
+        class A { B *b; public: A(B *p) { b = p; } int get(); friend int both(A &, B &); };
+        class B { public: int v; B() { v = 5; } };
+        int A::get() { return b->v; }
+    """
+    assert result("B b; A a(&b); b.v++; r = a.get();", classes, ".CPP") == 6

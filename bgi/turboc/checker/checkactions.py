@@ -58,6 +58,8 @@ class Actions(Calls):
     labels: set[str]
     deep: list[list[tuple[int | None, str]]]
     """Of each switch around: the cases in its loops and branches, and their labels."""
+    around: list[str]
+    """Which loops and switches stand around."""
     statics: list[Define]
     """Variables that are declared in functions and outlive them."""
 
@@ -90,18 +92,25 @@ class Actions(Calls):
         no = self.act(node.no) if node.no is not None else None
         return Branch(node.place, self.condition(node.condition), self.act(node.yes), no)
 
+    def body(self, node: tree.Stmt) -> Act:
+        """The body of a loop, in which break and continue may stand."""
+        self.around.append("loop")
+        body = self.act(node)
+        self.around.pop()
+        return body
+
     def _while(self, node: tree.While) -> Act:
-        return Loop(node.place, None, self.condition(node.condition), None, self.act(node.body))
+        return Loop(node.place, None, self.condition(node.condition), None, self.body(node.body))
 
     def _do(self, node: tree.DoWhile) -> Act:
-        body = self.act(node.body)
+        body = self.body(node.body)
         return Loop(node.place, None, self.condition(node.condition), None, body, late=True)
 
     def _for(self, node: tree.For) -> Act:
         first = self.act(node.initial) if node.initial is not None else None
         condition = self.condition(node.condition) if node.condition is not None else None
         step = self.computed(node.step) if node.step is not None else None
-        return Loop(node.place, first, condition, step, self.act(node.body))
+        return Loop(node.place, first, condition, step, self.body(node.body))
 
     def _switch(self, node: tree.Switch) -> Act:
         value = self.number(node.value)
@@ -110,6 +119,7 @@ class Actions(Calls):
         self.scope = Scope(self.scope)
         parts: list[tuple[list[int | None], list[Act]]] = []
         self.deep.append([])
+        self.around.append("switch")
         for item in _without_blocks(node.body):
             if isinstance(item, tree.Case):
                 if not parts or parts[-1][1]:
@@ -123,6 +133,7 @@ class Actions(Calls):
         assert self.scope.outer is not None
         self.scope = self.scope.outer
         deep = self.deep.pop()
+        self.around.pop()
         if deep and parts:
             parts[-1][1].append(Leave(node.place))
         parts += [([known], [Jump(node.place, label)]) for known, label in deep]
@@ -140,9 +151,13 @@ class Actions(Calls):
         return Mark(node.place, label)
 
     def _break(self, node: tree.Break) -> Act:
+        if not self.around:
+            raise CError(node.place, "this break stands in no loop and no switch")
         return Leave(node.place)
 
     def _continue(self, node: tree.Continue) -> Act:
+        if "loop" not in self.around:
+            raise CError(node.place, "this continue stands in no loop")
         return Again(node.place)
 
     def _return(self, node: tree.Return) -> Act:
@@ -158,6 +173,8 @@ class Actions(Calls):
         return Jump(node.place, node.label)
 
     def _label(self, node: tree.Label) -> Act:
+        if node.name in self.labels:
+            raise CError(node.place, f"there is another label {node.name} in this function")
         self.labels.add(node.name)
         return Mark(node.place, node.name)
 
@@ -180,6 +197,8 @@ class Actions(Calls):
             return []
         if node.storage == "extern":
             return []
+        if type_ == VOID:
+            raise CError(node.place, f"{node.name} cannot be void")
         made = Symbol(node.name, type_, node.place, "local")
         made.kind = "global" if node.storage == "static" else "local"
         self.declare(made)
@@ -226,8 +245,8 @@ class Actions(Calls):
             raise CError(node.place, f"the reference {node.name} needs something to refer to")
         if isinstance(type_, ArrayType) and not type_.count:
             raise CError(node.place, f"nothing says how long {node.name} is")
-        if isinstance(inner, StructType) and not inner.complete:
-            raise CError(node.place, f"nothing is known of {described(inner)}")
+        if isinstance(inner, StructType):
+            self.whole(inner, node.place)
         if isinstance(inner, StructType) and is_made(inner):
             return self.created(inner, type_, [], node.place, None)
         return None

@@ -134,6 +134,7 @@ class Calls(Values):
         arguments = self.arguments(symbol.name, type_, symbol.defaults, given, place)
         if symbol.kind == "library":
             return LibraryCall(place, type_.result, symbol.name, arguments)
+        symbol.written += 1
         return Invocation(place, type_.result, Variable(place, type_, symbol), arguments)
 
     def _through(self, value: Value, given: list[Value], place: Place) -> Value:
@@ -222,6 +223,7 @@ class Calls(Values):
         type_ = symbol.type
         assert isinstance(type_, FunctionType)
         arguments = self.arguments(name, type_, symbol.defaults, given, place)
+        symbol.written += 1
         exact = bool(scope) or not symbol.virtual
         return self.referred(MethodCall(place, type_.result, base, symbol, arguments, exact))
 
@@ -275,12 +277,18 @@ class Calls(Values):
         """A new object of a type, by its constructor if it has one."""
         constructor, arguments = None, tuple(given)
         if isinstance(type_, StructType):
-            if not type_.complete:
-                raise CError(place, f"nothing is known of {described(type_)}")
+            self.whole(type_, place)
             constructor, arguments = self.constructed(type_, given, place)
         elif given:
             arguments = (converted(given[0], type_),)
         return Creation(place, result, type_, count, constructor, arguments)
+
+    def whole(self, cls: StructType, place: Place) -> None:
+        """CError for a class of which no object can be made."""
+        if not cls.complete:
+            raise CError(place, f"nothing is known of {described(cls)}")
+        for name in sorted(cls.missing()):
+            raise CError(place, f"{cls.tag} is abstract: its {name}() has no body")
 
     def constructed(
         self, cls: StructType, given: list[Value], place: Place

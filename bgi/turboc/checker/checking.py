@@ -29,6 +29,7 @@ from bgi.turboc.checker.types import (
     StructType,
     Symbol,
     Type,
+    described,
     innermost,
     is_number,
 )
@@ -49,15 +50,16 @@ class Checker(Actions):
         self.result: Type = VOID
         self.variables: list[Symbol] = []
         self.jumps, self.labels = [], set()
-        self.deep = []
+        self.deep, self.around = [], []
 
     def program(self, program: tree.Program) -> TypedProgram:
         """The typed tree; CErrors if something is wrong."""
         for item in program.items:
             self._guarded(self._top, item)
+        self._give_way()
         for node, symbol, cls in self.waiting:
             self._guarded(self._body, node, symbol, cls)
-        main = self.top.names.get("main", [])
+        main = [one for one in self.top.names.get("main", []) if one.defined]
         if not main and not self.errors:
             self.errors.append(CError(NOWHERE, "there is no main() in this program"))
         self._look_for_bodies()
@@ -75,10 +77,21 @@ class Checker(Actions):
 
     def _look_for_bodies(self) -> None:
         """A function that is declared and called, and defined nowhere, is an error."""
-        for found in self.top.names.values():
-            for one in found:
-                if one.kind == "function" and not one.defined and one.written:
-                    self.errors.append(CError(one.place, f"{one.name}() has no body"))
+        found = [one for same in self.top.names.values() for one in same if one.kind == "function"]
+        for cls in self.structs:
+            named = cls.methods.items()
+            found += [one for name, same in named if name not in cls.pure for one in same]
+        for one in found:
+            if not one.defined and one.written:
+                self.errors.append(CError(one.place, f"{one.name}() has no body"))
+
+    def _give_way(self) -> None:
+        """A function of the library may be declared once more: the library's is meant."""
+        for name, found in list(self.top.names.items()):
+            declared = all(one.kind == "function" and not one.defined for one in found)
+            library = self.headers.symbol(name)
+            if declared and library is not None and library.kind == "library":
+                del self.top.names[name]
 
     def _top(self, node: tree.Top) -> None:
         match node:
@@ -106,6 +119,8 @@ class Checker(Actions):
         if "::" in node.name:
             self._static_member(node)
             return
+        if type_ == VOID:
+            raise CError(node.place, f"{node.name} cannot be void")
         name = node.name
         before = self.top.names.get(name, [])
         if node.storage == "extern" and before:
@@ -228,9 +243,10 @@ class Checker(Actions):
             raise CError(node.place, "a class with two bases is not supported")
         if node.bases:
             base = self.named_type(node.bases[0], node.place)
-            if not isinstance(base, StructType) or not base.complete:
+            if not isinstance(base, StructType) or not base.complete or base is cls:
                 raise CError(node.place, f"{node.bases[0]} is no class")
             cls.base = base
+        cls.pure = node.pure
         outer, self.cls = self.cls, cls
         for member in node.members:
             self._member_of(cls, member, node)
@@ -270,6 +286,10 @@ class Checker(Actions):
             cls.statics[node.name] = symbol
             self.statics.append(Define(node.place, symbol, None))
         elif node.name:
+            inner = innermost(type_)
+            if inner is cls or (isinstance(inner, StructType) and not inner.complete):
+                known = "stands in itself" if inner is cls else "is not known yet"
+                raise CError(node.place, f"{described(inner)} {known}: use a pointer to it")
             cls.members[node.name] = type_ if node.bits is None else self._bits(node, type_)
 
     def _bits(self, node: tree.Declarator, type_: Type) -> Type:

@@ -131,6 +131,7 @@ class Values(Meaning):
         """The value of a variable, or a constant."""
         if symbol.kind == "constant":
             return Constant(place, symbol.type, symbol.value)
+        symbol.written += symbol.kind == "function"
         return self.referred(Variable(place, symbol.type, symbol))
 
     def referred(self, value: Value) -> Value:
@@ -142,8 +143,7 @@ class Values(Meaning):
     def _this(self, node: nodes.This) -> Value:
         if self.cls is None:
             raise CError(node.place, "there is no `this` outside of a class")
-        itself = Itself(node.place, self.cls)
-        return Address(node.place, PointerType(self.cls), itself)
+        return Address(node.place, PointerType(self.cls), Itself(node.place, self.cls))
 
     # Operators
 

@@ -57,11 +57,18 @@ class Meaning:
             case nodes.Words(words):
                 return of_words(words)
             case nodes.Named(name):
+                if self.cplusplus and self._only_declared(name):
+                    self.top.types[name] = self.top.types[f"struct {name}"] = StructType(name)
                 return self.named_type(name, place)
             case nodes.Tagged("enum", _):
                 return INT
             case nodes.Tagged(kind, tag):
                 return self.tagged(kind, tag)
+
+    def _only_declared(self, name: str) -> bool:
+        """Whether nothing but `class name;` has been said of a class."""
+        known = self.scope.find_type(name) or self.scope.find_type(f"struct {name}")
+        return known is None and self.headers.type(name) is None
 
     def named_type(self, name: str, place: Place) -> Type:
         """The type of a name."""

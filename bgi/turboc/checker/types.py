@@ -89,6 +89,13 @@ class StructType:
     """What its Python class is called."""
     library: bool = False
     """Whether it is one of the library's."""
+    pure: frozenset[str] = frozenset()
+    """Its own virtual methods that have no body."""
+
+    def missing(self) -> frozenset[str]:
+        """The methods without a body, its own and those of its bases that nobody has given one."""
+        inherited = self.base.missing() if self.base else frozenset()
+        return (inherited - frozenset(self.methods)) | self.pure
 
     def member(self, name: str) -> Type | None:
         """The type of a member, its own or a base's."""

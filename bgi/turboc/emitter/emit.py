@@ -28,6 +28,7 @@ from bgi.turboc.faults import NOWHERE, Place
 
 HELPERS = [
     "Pointer",
+    "room",
     "MemberPlace",
     "CharMember",
     "Record",

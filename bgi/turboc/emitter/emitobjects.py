@@ -41,7 +41,7 @@ class Objects(Places):
                 if value.what not in (CHAR, UCHAR)
                 else (f"Pointer(bytearray([{one} & 255]))")
             )
-        count = self.value(value.count)
+        count = f"room({self.value(value.count)})"
         if isinstance(value.what, StructType):
             return f"Pointer([{one} for _ in range({count})])"
         count = self.scaled(count, flat(value.what))

@@ -9,7 +9,6 @@ from bgi.turboc.checker.headers import Headers
 from bgi.turboc.checker.scopes import Namer, safe
 from bgi.turboc.checker.typed import (
     Address,
-    Constant,
     Element,
     Field,
     Itself,
@@ -224,7 +223,7 @@ class Places:
         count = self.scaled(self.value(value.index), flat(value.type))
         at = count if start == "0" else start if count == "0" else f"{start} + {count}"
         low = cut(value.index, self.known)[0]
-        if low >= 0 or isinstance(value.index, Constant):
+        if low >= 0:
             return memory, at
         if isinstance(value.type, ArrayType):
             return memory, at

@@ -124,6 +124,13 @@ def typed(pointer: Any, size: int, make: Callable[[int], list[Any]]) -> Any:
     return Pointer(block.elements, pointer.at // size)
 
 
+def room(count: int) -> int:
+    """The number of elements that `new` makes; MemoryError for too many."""
+    if not 0 <= count <= MOST_BYTES // 8:
+        raise MemoryError
+    return count
+
+
 def put(memory: Any, at: int, value: Any) -> Any:
     """Store into a memory, as an expression: the value comes back."""
     memory[at] = value
