@@ -9,6 +9,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable
 
 from bgi.errors import BGIError
@@ -210,7 +211,7 @@ def _listen(child: WebChild, loop: asyncio.AbstractEventLoop) -> None:
     for message in receive(0):
         loop.call_soon_threadsafe(child.obey, *message)
     loop.call_soon_threadsafe(child.end)
-    threading.Event().wait(LINGER)
+    time.sleep(LINGER)
     os._exit(0)
 
 

@@ -101,6 +101,23 @@ def test_ctrl_c(program: Start) -> None:
     assert running.end()[0] == -signal.SIGINT
 
 
+@posix
+def test_ctrl_c_while_nobody_has_looked_yet(tmp_path: Path) -> None:
+    running = subprocess.Popen(
+        [sys.executable, "-c", "from bgi import *\ninitgraph()"],
+        cwd=tmp_path,
+        env=os.environ | {"BGI_MONITOR": "web", "PYTHONPATH": str(HOME)},
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert running.stderr
+    assert running.stderr.readline().startswith("bgi: see ")
+    running.send_signal(signal.SIGINT)
+    _, errors = running.communicate(timeout=PATIENCE)  # the process between has its stderr, too
+    assert running.returncode == -signal.SIGINT
+    assert errors.endswith("KeyboardInterrupt\n")
+
+
 def test_kill_9_of_the_program(program: Start) -> None:
     running = program("getch()\n")
     running.page.hear_until(lambda page: page.pictures)

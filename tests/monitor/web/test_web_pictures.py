@@ -130,8 +130,9 @@ def test_a_whole_program(monkeypatch: pytest.MonkeyPatch) -> None:
         bgi.setpalette(3, 60)
         mouse.show()
         bgi.swapbuffers()
-        page.hear_until(lambda page: page.pixels.any())
-        assert np.array_equal(page.pixels, current.screen.pages[0].array)
+        expected = on(current.screen.card)
+        page.hear_until(lambda page: np.array_equal(page.pixels, expected))
+        assert expected.any()
         bgi.restorecrtmode()
         conio.cputs("Hello")
         page.hear_until(

@@ -21,6 +21,7 @@ export class Pointer {
   use(state) {
     this.#on = state === "shown";
     this.screen.room.classList.toggle("arrow", state !== "system");
+    this.#clear();
     this.draw();
   }
 
@@ -42,16 +43,21 @@ export class Pointer {
     this.#place = this.#limits.length
       ? [Math.min(Math.max(x, left), right), Math.min(Math.max(y, top), bottom)]
       : [x, y];
-    if (this.#on) this.draw();
+    this.draw();
     return this.#place;
   }
 
+  #clear() {
+    this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+  }
+
+  // Draw it anew: it has moved, or what lies under it has changed.
   draw() {
+    if (!this.#on || !this.#masks.length) return;
     const { width, height, shown } = this.screen;
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
-    this.context.clearRect(0, 0, width, height);
-    if (!this.#on || !this.#masks.length || !shown) return;
+    this.#clear();
     const [left, top] = [this.#place[0] - this.#hot[0], this.#place[1] - this.#hot[1]];
     const colors = new Uint32Array(this.picture.data.buffer);
     for (let row = 0; row < SIZE; row++) {

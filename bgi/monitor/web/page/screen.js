@@ -3,7 +3,7 @@
 import { inside } from "./fit.js";
 
 const COLORS = 1, ROWS = 2;
-const HEADER = 12; // bytes of a message of rows: see bgi/monitor/web/updates.py
+const HEADER = 12; // bytes of a message of rows, before its pixels
 const INDICES = 16; // a pixel of four bytes that is smaller is an index
 const OPAQUE = 0xff000000;
 
@@ -13,6 +13,7 @@ export class Screen {
   square = false;
   palette = new Uint8Array(768);
   pixels = new Uint8Array(0); // or Uint32Array
+  shown = new Uint32Array(0); // what each pixel looks like
   #colors = new Uint32Array(256).fill(OPAQUE);
   #picture = null;
   #first = 0; // the rows that wait to be painted
@@ -27,7 +28,7 @@ export class Screen {
     new ResizeObserver(() => this.arrange()).observe(room);
   }
 
-  // A message of bytes; whether a picture is complete with it, which `onPaint` will tell.
+  // A message of bytes: see bgi/monitor/web/updates.py.
   receive(buffer) {
     const view = new DataView(buffer);
     if (view.getUint8(0) === COLORS) {
@@ -67,7 +68,7 @@ export class Screen {
     this.canvas.width = width;
     this.canvas.height = height;
     this.#picture = this.context.createImageData(width, height);
-    this.shown = new Uint32Array(this.#picture.data.buffer); // what each pixel looks like
+    this.shown = new Uint32Array(this.#picture.data.buffer);
     this.#first = this.#end = 0;
     this.arrange();
   }
