@@ -17,7 +17,6 @@ void gotoxy(int x, int y); int wherex(void); int wherey(void); void textcolor(in
 void textbackground(int color); void textattr(int attribute); void textmode(int mode);
 void window(int left, int top, int right, int bottom); void highvideo(void);
 void lowvideo(void); void normvideo(void); void _setcursortype(int kind);
-int movetext(int left, int top, int right, int bottom, int x, int y);
 """
 
 TRACED = """
@@ -27,6 +26,7 @@ void nosound(void);
 
 OTHERS = """
 int getche(void); int ungetch(int c); unsigned _bios_keybrd(unsigned command);
+int movetext(int left, int top, int right, int bottom, int x, int y);
 int gettext(int left, int top, int right, int bottom, data to);
 int puttext(int left, int top, int right, int bottom, data from); void gettextinfo(text_info *to);
 int biosequip(void); int biosmemory(void); unsigned _bios_equiplist(void);
@@ -139,6 +139,10 @@ class PCLibrary:
         self._note("puttext", (left, top, right, bottom))
         count = 2 * max(right - left + 1, 0) * max(bottom - top + 1, 0)
         return int(conio.puttext(left, top, right, bottom, source.get(count)))
+
+    def movetext(self, left: int, top: int, right: int, bottom: int, x: int, y: int) -> int:
+        self._note("movetext", (left, top, right, bottom, x, y))
+        return int(conio.movetext(left, top, right, bottom, x, y))
 
     def gettextinfo(self, to: Pointer) -> None:
         self._note("gettextinfo")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from typing import Any
 
@@ -10,7 +11,7 @@ from bgi.clib.reading import WHITE, Reader, StringSource
 from bgi.clib.scanf import parts_of
 from bgi.turboc.runtime.binding import characters
 from bgi.turboc.runtime.files import EOF, Characters, File, Keyboard, ScreenFile
-from bgi.turboc.runtime.memory import Pointer, write_text
+from bgi.turboc.runtime.memory import Pointer, write_bytes, write_text
 from bgi.turboc.runtime.session import Session
 from bgi.turboc.runtime.trace import low
 
@@ -42,8 +43,36 @@ TYPES = {"FILE": "struct @ { int kind; };"}
 LONGEST_LINE = 999
 
 
-def _shown(value: Any) -> Any:
-    return characters(value) if isinstance(value, Pointer) else value
+_CONVERSION = re.compile(rb"%[-+ #0]*(\*|\d*)\.?(\*|\d*)[hlLFN]*(.)")
+_ADDRESS = re.compile(rb"(%[-0-9]*)[FN]?p")
+
+
+def _formatted(format: bytes, values: Any) -> str:
+    """What printf() writes."""
+    given = [characters(one) if isinstance(one, Pointer) else one for one in values]
+    if _ADDRESS.search(format):
+        format, given = _ADDRESS.sub(rb"\1Np", format), _fitted(format, given)
+    try:
+        return formatted(format, *given)
+    except TypeError:
+        return formatted(format, *_fitted(format, given))
+
+
+def _fitted(format: bytes, given: list[Any]) -> list[Any]:
+    """Arguments as a format wants them: what is of another kind, and an address, is 0.
+
+    In C it would be what happens to lie in memory.
+    """
+    letters = b"".join([b"".join(parts) for parts in _CONVERSION.findall(format)])
+    wanted = re.sub(rb"[\d%]", b"", letters)
+    values = list(given)
+    for place, letter in enumerate(wanted[: len(given)]):
+        texts = isinstance(values[place], bytes)
+        if letter == ord("s"):
+            values[place] = values[place] if texts else None
+        elif texts or letter == ord("p"):
+            values[place] = 0
+    return values
 
 
 class StdioLibrary:
@@ -57,7 +86,7 @@ class StdioLibrary:
     # Writing
 
     def vfprintf(self, stream: File | None, format: Any, values: Any) -> int:
-        made = formatted(characters(format), *map(_shown, values))
+        made = _formatted(characters(format), values)
         data = made.encode("cp437", "replace")
         if stream is not None:
             stream.write(data)
@@ -70,7 +99,7 @@ class StdioLibrary:
         return self.vfprintf(self.screen, format, values)
 
     def cprintf(self, format: Any, *values: Any) -> int:
-        made = formatted(characters(format), *map(_shown, values))
+        made = _formatted(characters(format), values)
         self._program.put(made.encode("cp437", "replace"))
         return len(made)
 
@@ -78,7 +107,7 @@ class StdioLibrary:
         return self.vfprintf(self.screen, format, values)
 
     def vsprintf(self, to: Pointer, format: Any, values: Any) -> int:
-        made = formatted(characters(format), *map(_shown, values))
+        made = _formatted(characters(format), values)
         write_text(to, made.encode("cp437", "replace"))
         return len(made)
 
@@ -263,8 +292,11 @@ def _store(to: Any, letter: str, size: str, value: Any) -> None:
         for place, code in enumerate(value.encode("cp437")):
             to.memory[to.at + place] = code
     elif letter in "feEgG":
-        real = float(value)
-        to.memory[to.at] = real if size else struct.unpack("f", struct.pack("f", real))[0]
+        data = struct.pack("<d" if size else "<f", float(value))
+        if isinstance(to.memory, bytearray):  # of another type, which gets the bytes
+            write_bytes(to, data)
+        else:
+            to.memory[to.at] = struct.unpack("<d" if size else "<f", data)[0]
     elif "l" in size or letter == "D":
         to.memory[to.at] = (int(value) & 0xFFFFFFFF ^ 0x80000000) - 0x80000000
     elif isinstance(to.memory, bytearray):
