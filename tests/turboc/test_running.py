@@ -73,6 +73,22 @@ def test_loops_leave_their_variable_behind(result):
     assert result("int i = 0; do { if (i == 3) continue; r += i; } while (++i < 5);") == 7
 
 
+def test_an_empty_loop_is_waited_for_and_not_run(tmp_path, monkeypatch):
+    waited = []
+    monkeypatch.setattr("bgi.dos.delay", waited.append)
+    text = """int busy = 1;
+        void main() { int i; for (i = 1; i <= 30000; i++) { ; } for (i = 0; i < 9; i++) busy += i; }
+    """
+    made = program(tmp_path, text)
+    names = made.load(Session())
+    for _ in range(2):
+        names["main"]()
+    assert waited == [7, 7]  # 8 cycles at 33 MHz, 60,000 times
+    names = made.load(Session(script_name="A"))
+    names["main"]()
+    assert waited == [7, 7]
+
+
 def test_switch_falls_through_and_continues_the_loop_around(result):
     body = """
         int i;

@@ -38,6 +38,8 @@ HELPERS = [
     "put_member",
     "index",
     "single",
+    "busy",
+    "far_pointer",
     "remainder",
     "number",
     "destroy",

@@ -31,7 +31,7 @@ from bgi.turboc.checker.typed import (
 from bgi.turboc.checker.types import VOID, StructType, Symbol, innermost
 from bgi.turboc.emitter.emitvalues import ValueWriter
 from bgi.turboc.emitter.gotos import Machine
-from bgi.turboc.emitter.loops import Counted, counted
+from bgi.turboc.emitter.loops import Counted, counted, is_empty
 from bgi.turboc.emitter.wrapping import cut
 from bgi.turboc.faults import NOWHERE, Place
 
@@ -175,6 +175,11 @@ class ActionWriter(ValueWriter):
         name = self.name_of(range_.variable)
         start, end = range_.start, range_.end
         limit = self.value(end) if not range_.inclusive else f"{self.value(end)} + 1"
+        if is_empty(act.body):  # a program of its day waits so
+            self.used.add("busy")
+            self.line(f"busy({limit} - {name})")
+            self.line(f"{name} = max({name}, {limit})")
+            return
         low = cut(start, self.known)[0] if start is not None else range_.low
         high = cut(end, self.known)[1] - (not range_.inclusive)
         before = self.known.get(range_.variable)

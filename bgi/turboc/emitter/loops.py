@@ -64,6 +64,11 @@ def counted(loop: Loop) -> Counted | None:
     return Counted(variable, _start(loop, variable), end, inclusive, type_.low)
 
 
+def is_empty(act: Act) -> bool:
+    """Whether nothing is done."""
+    return isinstance(act, Group) and not act.ending and all(map(is_empty, act.items))
+
+
 def _local(value: Value) -> Symbol | None:
     """A whole number that only this function changes."""
     if not isinstance(value, Variable) or not isinstance(value.type, IntType):

@@ -148,7 +148,11 @@ def names(program: Session) -> dict[str, Any]:
     found |= {name: _whole(getattr(bgi, name)) for name in _PLAIN}
     found |= {f"struct_{name}": cls for name, cls in made.items()}
     found |= {"div": _quotient(made["div_t"]), "ldiv": _quotient(made["ldiv_t"])}
-    found |= {"far_pointer": interrupts.far_pointer, "_raise": parts[2].raise_}
+    found |= {
+        "busy": program.pc.busy,
+        "far_pointer": interrupts.far_pointer,
+        "_raise": parts[2].raise_,
+    }
     return found | _variables(stdio, registers, segments) | filestreams.classes(stdio, files)
 
 

@@ -5,9 +5,16 @@ from __future__ import annotations
 from bgi import bios, conio, current, dos, mouse, stdio
 from bgi.stdlib import randomize
 
+TURN = 8 / 33_000
+"""Milliseconds of an empty loop's turn: 8 cycles of a 486, of 1990, at 33 MHz."""
+
 
 class LivePC:
     """Answers what a program asks of the PC, as `Scripted` does."""
+
+    def __init__(self) -> None:
+        self._owed = 0.0
+        """Milliseconds of empty loops that have not been waited for."""
 
     def getc(self) -> str:
         """The next typed character."""
@@ -36,6 +43,13 @@ class LivePC:
     def pass_time(self, milliseconds: int) -> None:
         """Wait."""
         dos.delay(milliseconds)
+
+    def busy(self, turns: int) -> None:
+        """Wait as long as a loop takes that does nothing."""
+        self._owed += max(turns, 0) * TURN
+        if self._owed >= 1:
+            dos.delay(int(self._owed))
+            self._owed %= 1
 
     def milliseconds(self) -> int:
         """Those that have passed since the program began."""

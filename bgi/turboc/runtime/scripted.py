@@ -155,6 +155,9 @@ class Scripted:
         """Wait."""
         self._milliseconds += milliseconds
 
+    def busy(self, turns: int) -> None:
+        """An empty loop takes no time."""
+
     def milliseconds(self) -> int:
         """Those that have passed; the question takes time, too."""
         now = self._milliseconds
