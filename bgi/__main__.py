@@ -106,8 +106,11 @@ def _say_what_stands_behind(program: str, rest: list[str]) -> None:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m bgi",
-        usage="python -m bgi [options] PROGRAM.py [its arguments]\n       python -m bgi --info",
-        description="Run a graphics program, with keys that press themselves and pictures taken.",
+        usage="python -m bgi [options] PROGRAM.py [its arguments]\n"
+        "       python -m bgi [options] PROGRAM.C [more files] [its arguments]\n"
+        "       python -m bgi --info",
+        description="Run a graphics program, in Python or in C for Turbo C, with keys that press "
+        "themselves and pictures taken.",
         allow_abbrev=False,
     )
     parser.add_argument(
@@ -147,9 +150,9 @@ def _parser() -> argparse.ArgumentParser:
 
 def _add_c(parser: argparse.ArgumentParser) -> None:
     """The options for C programs."""
-    group = parser.add_argument_group("C programs", "for PROGRAM.C and PROGRAM.CPP, of Turbo C")
+    group = parser.add_argument_group("C programs", "for PROGRAM.C and PROGRAM.CPP, as they were written for Turbo C")
     group.add_argument("--check", action="store_true", help="only say what is wrong with it")
-    group.add_argument("-I", action="append", default=[], metavar="DIR", help="where headers lie")
+    group.add_argument("-I", action="append", default=[], metavar="DIR", help="another folder that holds what it includes")
     group.add_argument(
         "-D", action="append", default=[], metavar="NAME=VALUE", help="define a macro"
     )
