@@ -150,9 +150,13 @@ def _parser() -> argparse.ArgumentParser:
 
 def _add_c(parser: argparse.ArgumentParser) -> None:
     """The options for C programs."""
-    group = parser.add_argument_group("C programs", "for PROGRAM.C and PROGRAM.CPP, as they were written for Turbo C")
+    group = parser.add_argument_group(
+        "C programs", "for PROGRAM.C and PROGRAM.CPP, as they were written for Turbo C"
+    )
     group.add_argument("--check", action="store_true", help="only say what is wrong with it")
-    group.add_argument("-I", action="append", default=[], metavar="DIR", help="another folder that holds what it includes")
+    group.add_argument(
+        "-I", action="append", default=[], metavar="DIR", help="another folder of what it includes"
+    )
     group.add_argument(
         "-D", action="append", default=[], metavar="NAME=VALUE", help="define a macro"
     )
