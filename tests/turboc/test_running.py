@@ -74,7 +74,7 @@ def test_loops_leave_their_variable_behind(result):
 
 
 def test_an_empty_loop_is_waited_for_and_not_run(tmp_path, monkeypatch):
-    waited = []
+    waited: list[int] = []
     monkeypatch.setattr("bgi.dos.delay", waited.append)
     text = """int busy = 1;
         void main() { int i; for (i = 1; i <= 30000; i++) { ; } for (i = 0; i < 9; i++) busy += i; }
