@@ -67,3 +67,13 @@ def test_a_name_that_cannot_be_is_told_with_its_reason(name, tmp_path):
 def test_a_misspelt_name_is_guessed(wrong, right, tmp_path):
     (message,) = errors(tmp_path, f"void main() {{ {wrong}(1); }}")
     assert message == f"there is no {wrong}: did you mean {right}?"
+
+
+@pytest.mark.parametrize("name", sorted(library.TYPES))
+def test_every_method_of_a_class_is_there(name):
+    names = library.names(Session(None, "A"))
+    classes = {"istream": names["cin"], "ostream": names["cout"], "ios": names["cout"]}
+    made = classes.get(name) or names.get(f"struct_{name}") or names["struct_fstream"]
+    found = HEADERS.type(name)
+    methods = [one.python for same in found.methods.values() for one in same]
+    assert [method for method in methods if not hasattr(made, method)] == []

@@ -88,11 +88,11 @@ class ios(Record):
     def differs_int(self, null: int) -> int:
         return int(not self.fails())
 
-    def less_char__pointer(self, s: Any) -> int:
+    def less_char_pointer(self, s: Any) -> int:
         """`cout < "text"` compares addresses, and prints nothing."""
         return 0
 
-    greater_char__pointer = less_char__pointer
+    greater_char_pointer = less_char_pointer
 
     def rdbuf(self) -> Pointer:
         return Pointer([self.file])

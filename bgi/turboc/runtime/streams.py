@@ -111,9 +111,9 @@ class ostream(ios):
     def shift_left_char_pointer(self, v: Any) -> Any:
         return self._padded(characters(v))
 
-    shift_left_char__pointer = shift_left_unsigned_char__pointer = shift_left_char_pointer
+    shift_left_unsigned_char_pointer = shift_left_char_pointer
 
-    def shift_left_void__pointer(self, v: Any) -> Any:
+    def shift_left_void_pointer(self, v: Any) -> Any:
         return self._padded(b"0x0000")
 
     def shift_left_manipulator(self, v: manipulator) -> Any:
@@ -122,7 +122,7 @@ class ostream(ios):
         self.obey(v)
         return self
 
-    def shift_left_streambuf__pointer(self, v: Pointer) -> Any:
+    def shift_left_streambuf_pointer(self, v: Pointer) -> Any:
         """All of a file."""
         file = v.memory[v.at]
         while file is not None and (data := file.read(4096)):
@@ -219,7 +219,7 @@ class istream(ios):
             write_text(to, value.encode("cp437"))
         return self
 
-    shift_right_char__pointer = shift_right_unsigned_char__pointer = shift_right_char_pointer
+    shift_right_unsigned_char_pointer = shift_right_char_pointer
 
     def shift_right_manipulator(self, v: manipulator) -> Any:
         if v.kind == "ws":
