@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from bench import monitor, readme, report, web
+from bench import monitor, readme, report, site, web
 from bench.groups import (
     arrays,
     console,
@@ -54,7 +54,7 @@ GROUPS = {
     "memory": Group(plots.memory_rows, most_rounds=0),
 }
 PLOTS = {"surfaces"}
-REPORTS = {"monitor": monitor.report, "web": web.report}
+REPORTS = {"monitor": monitor.report, "web": web.report, "site": site.report}
 """What has a table of its own."""
 
 

@@ -28,7 +28,7 @@ from tests.stroked import font_of
 
 BILLION = 10**9
 MANY = [
-    np.broadcast_to(np.int8(5), BILLION),  # which takes no memory
+    np.broadcast_to(np.int16(5), BILLION),  # which takes no memory
     np.broadcast_to(np.float32(5), (BILLION // 8, 1, 2)),
     range(BILLION),
     range(10**30),

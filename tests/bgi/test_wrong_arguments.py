@@ -47,7 +47,7 @@ NO_ARRAY = [
     ),
     *(np.array([object()]), np.array([np.datetime64("2020")], object), np.array(["7"])),
     *(np.zeros(2, [("a", "i4"), ("b", "f8")]), np.ma.array([1, 2], mask=[0, 1]), range(BILLION)),
-    *(np.broadcast_to(np.int8(5), BILLION), np.broadcast_to(True, (10**5, 10**4))),
+    *(np.broadcast_to(np.int16(5), BILLION), np.broadcast_to(True, (10**5, 10**4))),
 ]
 ARRAYS = [[1, 2], (7,), range(3), np.zeros((2, 3)), np.zeros(0), np.ones(2, bool)]
 """Which some calls take."""
@@ -56,7 +56,7 @@ NO_TEXT = [*(value for value in NO_NUMBER if not isinstance(value, str)), 7, Tru
 NO_BYTES = [
     *("7", None, 7, {}, object(), ENDLESS, np.array("2020", "datetime64[Y]"), np.zeros(9)),
     *(np.array([object()] * 9), np.array(["2020-01-02"], "datetime64[D]"), np.zeros((9, 9), "u1")),
-    *(np.broadcast_to(np.int8(5), BILLION), np.zeros(9, [("a", "i4")]), np.uint8(7)),
+    *(np.broadcast_to(np.int16(5), BILLION), np.zeros(9, [("a", "i4")]), np.uint8(7)),
 ]
 # Windows has names that are half a character.
 NO_NAME = [

@@ -83,7 +83,9 @@ def test_none_is_silent(
 
 def test_another_monitor_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("BGI_MONITOR", "vga")
-    with pytest.raises(ValueError, match="BGI_MONITOR is 'vga'; it may be 'window' or 'none'"):
+    with pytest.raises(
+        ValueError, match="BGI_MONITOR is 'vga'; it may be 'window', 'web' or 'none'"
+    ):
         choose(Card())
 
 

@@ -11,6 +11,7 @@ from bgi.memory.sdl import pygame
 from bgi.monitor.display import Display
 from bgi.monitor.letters import CURSOR_SECONDS, at_moment
 from bgi.monitor.picture import pixels
+from tests.skips import needs_pygame
 
 
 def screen(text: bytes, attribute: int = 7, height: int = 16, attributes: int = 0) -> Card:
@@ -80,6 +81,7 @@ def test_a_monochrome_monitor_shows_bright_underlined_and_reverse() -> None:
     assert np.flatnonzero(line.any(axis=1)).tolist() == [14]
 
 
+@needs_pygame
 def test_the_window_knows_a_picture_that_is_new_only_because_it_blinks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

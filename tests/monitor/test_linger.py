@@ -14,6 +14,7 @@ from bgi.memory.card import Card
 from bgi.monitor import Headless, Window
 from bgi.monitor.plan import Plan
 from tests.processes import posix
+from tests.skips import needs_pygame
 
 
 @pytest.fixture
@@ -29,6 +30,7 @@ def seconds_of_linger(window: Window) -> float:
     return time.monotonic() - began
 
 
+@needs_pygame
 def test_it_stays_until_a_key_is_pressed(card: Card) -> None:
     window = Window(card)
     card.page(0)[0] = 65
@@ -37,6 +39,7 @@ def test_it_stays_until_a_key_is_pressed(card: Card) -> None:
     window.close()
 
 
+@needs_pygame
 def test_it_does_not_where_the_program_has_just_asked_for_a_key(card: Card) -> None:
     window = Window(card)
     card.page(0)[0] = 65
@@ -50,6 +53,7 @@ def test_it_does_not_where_the_program_has_just_asked_for_a_key(card: Card) -> N
     window.close()
 
 
+@needs_pygame
 def test_it_does_not_where_nobody_is_there(card: Card) -> None:
     window = Window(card, plan=Plan(after=60))
     card.page(0)[0] = 65

@@ -7,6 +7,7 @@ from bgi.memory.card import Frame
 from bgi.memory.matching import true_colors
 from bgi.memory.sdl import pygame
 from bgi.monitor.picture import Shape, fit, inside, largest, pixels, surface
+from tests.skips import needs_pygame
 
 PALETTE = np.random.default_rng(1).integers(0, 256, (256, 3), np.uint8)
 
@@ -91,12 +92,14 @@ def test_the_picture_inside_a_window(
     assert inside(shape, *window) == picture
 
 
+@needs_pygame
 def test_indices_take_their_colours_from_the_palette() -> None:
     numbers = np.arange(256, dtype=np.uint8).reshape(16, 16)
     picture = surface(Frame(16, 16, 1, False, numbers.tobytes()), PALETTE.tobytes())
     assert pygame.image.tobytes(picture, "RGB") == PALETTE.tobytes()
 
 
+@needs_pygame
 def test_a_pixel_of_four_bytes_is_an_index_below_16_and_else_a_colour() -> None:
     numbers = np.array(
         [[0, 15, 16, 0xFFFFFF], [0x03000000, 0x0300FF80, 0xFF123456, 0x10000005]], "<u4"

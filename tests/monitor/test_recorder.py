@@ -14,10 +14,12 @@ from bgi.monitor.picture import shot
 from bgi.monitor.plan import Plan
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.script import parse_script
+from tests.skips import needs_pygame
 
 PALETTE = np.random.default_rng(1).integers(0, 256, (256, 3), np.uint8)
 
 
+@needs_pygame
 def test_a_shot_of_either_kind_of_frame() -> None:
     indices = bytes([1, 2, 3, 4, 5, 6])
     image = pygame.image.load(

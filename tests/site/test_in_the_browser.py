@@ -5,10 +5,6 @@ Skipped in CI, without Chromium, and until `python -m tools.site` has fetched wh
 
 import base64
 import contextlib
-import functools
-import http.server
-import json
-import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -23,35 +19,9 @@ from tools import chromium, pictures
 from tools.chromium import Browser, Tab
 from tools.pyodide import parts
 from tools.site.build import build
+from tools.site.visit import BEGIN, CANVAS, ENDED, PRINTED, click, printed, run, served, visit, wait
 
 pytestmark = pytest.mark.timeout(300)  # Python is loaded, on a machine that may be busy
-
-BEGIN = "from bgi import *\ninitgraph(VGA, VGAHI)\n"
-CANVAS = "document.querySelector('.room:not([hidden]) canvas.screen')"
-PRINTED = "document.querySelector('.printed').textContent"
-ENDED = "document.querySelector('.player').dataset.ended"
-
-
-class Handler(http.server.SimpleHTTPRequestHandler):
-    """Serves the site, as any host would; `missing` are files that it does not have."""
-
-    missing: tuple[str, ...] = ()
-
-    def log_message(self, *arguments: object) -> None:
-        """Say nothing."""
-
-    def do_GET(self) -> None:
-        """Answer."""
-        if self.path in self.missing:
-            self.send_error(404)
-        else:
-            super().do_GET()
-
-
-class NoWorker(Handler):
-    """A host whose pages can have no service worker, and so no shared memory."""
-
-    missing = ("/sw.js",)
 
 
 @pytest.fixture(scope="module")
@@ -72,64 +42,23 @@ def browser() -> Iterator[Browser]:
         yield browser
 
 
-def serve(site: Path, kind: type[Handler]) -> http.server.ThreadingHTTPServer:
-    server = http.server.ThreadingHTTPServer(
-        ("127.0.0.1", 0), functools.partial(kind, directory=str(site))
-    )
-    threading.Thread(target=server.serve_forever, name="site", daemon=True).start()
-    return server
-
-
-def open_site(browser: Browser, port: int, page: str, condition: str) -> Tab:
-    tab = browser.tab()
-    tab.resize(1280, 900)
-    tab.go(f"http://127.0.0.1:{port}/{page}")
-    tab.wait_for(f"document.body?.dataset.ready && {condition}")
-    return tab
+@pytest.fixture(scope="module")
+def address(site: Path) -> Iterator[str]:
+    with served(site) as address:
+        yield address
 
 
 @pytest.fixture(scope="module")
-def port(site: Path) -> Iterator[int]:
-    server = serve(site, Handler)
-    yield server.server_port
-    server.shutdown()
-    server.server_close()
+def suspended_address(site: Path) -> Iterator[str]:
+    """A host whose pages can have no service worker, and so no shared memory."""
+    with served(site, service_worker=False) as address:
+        yield address
 
 
 @pytest.fixture(scope="module")
-def tab(browser: Browser, port: int) -> Tab:
-    """The gallery, with Python loaded: programs follow one another in it."""
-    return open_site(browser, port, "", "crossOriginIsolated")
-
-
-def run(tab: Tab, program: str) -> None:
-    """Type a program and press Run."""
-    tab.evaluate(
-        f"""(() => {{
-            const editor = document.querySelector("textarea");
-            editor.value = {json.dumps(program)};
-            editor.dispatchEvent(new Event("input"));
-            document.querySelector("[data-action=run]").click();
-        }})()"""
-    )
-
-
-def printed(tab: Tab) -> str:
-    """What the program has printed by its end."""
-    wait(tab, ENDED)
-    text: str = tab.evaluate(PRINTED)
-    return text
-
-
-def wait(tab: Tab, condition: str) -> None:
-    """As long as it takes to load Python, too."""
-    for patience in reversed(range(4)):
-        try:
-            tab.wait_for(condition)
-            return
-        except TimeoutError:
-            if not patience:
-                raise
+def tab(browser: Browser, address: str) -> Tab:
+    """The gallery: programs follow one another in it."""
+    return visit(browser, address)
 
 
 def canvas(tab: Tab) -> NDArray[np.uint8]:
@@ -145,10 +74,6 @@ def canvas(tab: Tab) -> NDArray[np.uint8]:
     )
     pixels = np.frombuffer(base64.b64decode(data), np.uint8)
     return pixels.reshape(height, width, 4)[..., :3]
-
-
-def click(tab: Tab, action: str) -> None:
-    tab.evaluate(f"document.querySelector('[data-action={action}]').click()")
 
 
 def same_in_time(tab: Tab, expected: NDArray[np.uint8]) -> bool:
@@ -275,29 +200,29 @@ def test_each_program_begins_anew(tab: Tab) -> None:
     assert printed(tab) == "15 0 0\n"
 
 
-def test_a_link_holds_the_program(tab: Tab, browser: Browser, port: int) -> None:
+def test_a_link_holds_the_program(tab: Tab, browser: Browser, address: str) -> None:
     program = "print('häh? \\u2713')\n"
     run(tab, program)
     wait(tab, ENDED)
     tab.evaluate("document.querySelector('#share').click()")
     tab.wait_for("location.hash.includes('=')")
     place = tab.evaluate("location.hash")
-    other = open_site(browser, port, place, "crossOriginIsolated")
+    other = visit(browser, address + place)
     assert other.evaluate("document.querySelector('textarea').value") == program
     assert other.evaluate(ENDED) is None  # nothing runs because a link was opened
     other.close()
 
 
 @pytest.mark.parametrize("page", ["", "docs/lines.html", "docs/a-z.html"])
-def test_a_telephone_has_room_for_it(browser: Browser, port: int, page: str) -> None:
-    tab = open_site(browser, port, page, "crossOriginIsolated")
+def test_a_telephone_has_room_for_it(browser: Browser, address: str, page: str) -> None:
+    tab = visit(browser, address + page)
     tab.resize(380, 800, 2, phone=True)
     assert tab.evaluate("document.documentElement.scrollWidth") <= 380
     tab.close()
 
 
-def test_a_block_of_the_documentation_runs(browser: Browser, port: int) -> None:
-    tab = open_site(browser, port, "docs/lines.html", "crossOriginIsolated")
+def test_a_block_of_the_documentation_runs(browser: Browser, address: str) -> None:
+    tab = visit(browser, f"{address}docs/lines.html")
     tab.evaluate("document.querySelector('pre.runs + .bar button').click()")
     wait(tab, f"document.querySelector('.player') && {ENDED}")
     name = tab.evaluate("document.querySelector('article img').src").rpartition("/")[2]
@@ -307,9 +232,10 @@ def test_a_block_of_the_documentation_runs(browser: Browser, port: int) -> None:
     tab.close()
 
 
-def test_without_shared_memory_python_is_suspended(browser: Browser, site: Path) -> None:
-    server = serve(site, NoWorker)
-    tab = open_site(browser, server.server_port, "", "!crossOriginIsolated")
+def test_without_shared_memory_python_is_suspended(
+    browser: Browser, suspended_address: str
+) -> None:
+    tab = visit(browser, suspended_address, shared=False)
     loop = "x = 0\nwhile not kbhit():\n    x += 1\n    swapbuffers()\n"
     run(tab, BEGIN + loop + "print(x > 2, getch())\n")
     wait(tab, f"{CANVAS}?.width === 640")
@@ -321,17 +247,13 @@ def test_without_shared_memory_python_is_suspended(browser: Browser, site: Path)
     click(tab, "stop")
     assert printed(tab) == "begins\nStopped.\n"
     tab.close()
-    server.shutdown()
-    server.server_close()
 
 
 def test_the_second_visit_needs_no_network(browser: Browser, site: Path) -> None:
-    server = serve(site, Handler)
-    tab = open_site(browser, server.server_port, "", "crossOriginIsolated")
-    run(tab, "print('first')\n")
-    assert printed(tab) == "first\n"
-    server.shutdown()
-    server.server_close()
+    with served(site) as address:
+        tab = visit(browser, address)
+        run(tab, "print('first')\n")
+        assert printed(tab) == "first\n"
     tab.evaluate("location.reload()")
     tab.wait_for("!document.body?.dataset.ready")
     wait(tab, "document.body?.dataset.ready && crossOriginIsolated")

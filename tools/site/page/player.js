@@ -75,6 +75,7 @@ export class Player {
     this.machine ??= new Machine(this.#reactions(), { ...this.site, shared });
     await this.machine.load();
     this.#find(".loading").hidden = true;
+    this.place.dataset.loaded = "yes";
   }
 
   async run() {
