@@ -7,6 +7,7 @@ import shutil
 import zipfile
 from pathlib import Path
 
+import demos  # noqa: F401  (with it, its helpers are found)
 from gallery.catalogue import NAMES, load
 from tools.pyodide import parts
 from tools.site import pages
