@@ -20,6 +20,7 @@ sixty times a second, by a signal, to look at the card.
 
 import math
 import signal
+import sys
 import time
 from collections.abc import Callable
 from itertools import count
@@ -76,7 +77,8 @@ class Tab:
         self._looked = 0.0
         self._closed = False
         _open[self._number] = self
-        signal.signal(signal.SIGUSR1, _look_at_all)
+        if sys.platform != "win32":  # where there are no signals of this kind, nor pages
+            signal.signal(signal.SIGUSR1, _look_at_all)
         self._tell("open")
         self._tell("shape")
         self.set_title(title)

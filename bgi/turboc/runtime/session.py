@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -112,7 +113,7 @@ class Session:
         finally:
             for close in self.closing:
                 close()
-            if self.scripted and hasattr(signal, "setitimer"):
+            if self.scripted and sys.platform != "win32":
                 signal.setitimer(signal.ITIMER_PROF, 0)
             if self.trace and self._trace_file:
                 text = self.trace.end(reason)
@@ -120,6 +121,6 @@ class Session:
 
     def _limit(self) -> None:
         """A script has an end: so has the program that follows it."""
-        if self.scripted and hasattr(signal, "setitimer"):
+        if self.scripted and sys.platform != "win32":
             signal.signal(signal.SIGPROF, lambda number, frame: _stop("cpu"))
             signal.setitimer(signal.ITIMER_PROF, SECONDS)
