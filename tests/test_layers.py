@@ -165,6 +165,7 @@ LAYERS = [
     "bgi.turboc.runtime.scriptfile",
     "bgi.turboc.runtime.livepc",
     "bgi.turboc.runtime.folders",
+    "bgi.turboc.runtime.timelimit",
     "bgi.turboc.runtime.session",
     "bgi.turboc.runtime.binding",
     "bgi.turboc.runtime.structures",

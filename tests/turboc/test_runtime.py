@@ -1,6 +1,8 @@
 """The library of a C program, its script and its trace, without the compiler."""
 
+import signal
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -11,6 +13,7 @@ from bgi.turboc.runtime.library import FUNCTIONS, names
 from bgi.turboc.runtime.memory import Pointer
 from bgi.turboc.runtime.scripted import script
 from bgi.turboc.runtime.session import Session
+from tests.skips import BROWSER
 
 C = SimpleNamespace
 """The library."""
@@ -108,6 +111,27 @@ def test_a_program_that_traces_without_end_is_ended(tmp_path: Path) -> None:
 
     lines = traced(tmp_path, main)
     assert len(lines) == 20_001 and lines[-1] == "end lines"
+
+
+@pytest.mark.skipif(BROWSER, reason="there are no threads")
+def test_a_scripted_program_that_only_computes_is_ended(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("bgi.turboc.runtime.session.SECONDS", 0.05)
+    monkeypatch.setattr("bgi.turboc.runtime.timelimit.LOOK_SECONDS", 0.1)
+    before = signal.getsignal(signal.SIGTERM)
+    assert traced(tmp_path, forever) == ["end cpu"]
+    assert traced(tmp_path, lambda c: c.atexit(lambda: forever(c))) == ["end cpu"]
+    assert signal.getsignal(signal.SIGTERM) is before
+
+
+def forever(c: C) -> None:
+    """Compute, and swallow an exception once, as a destructor in Python does."""
+    with suppress(BaseException):
+        while True:
+            pass
+    while True:
+        pass
 
 
 def test_a_fault_is_told_and_traced(tmp_path: Path) -> None:

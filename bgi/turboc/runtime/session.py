@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import signal
-import sys
 from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ from bgi.turboc.runtime.folders import DiskFolder, Folder, MemoryFolder
 from bgi.turboc.runtime.livepc import LivePC
 from bgi.turboc.runtime.scripted import Scripted
 from bgi.turboc.runtime.scriptfile import scripted
+from bgi.turboc.runtime.timelimit import TimeLimit
 from bgi.turboc.runtime.trace import Trace
 
 SECONDS = 12
@@ -87,9 +87,10 @@ class Session:
     def run(self, main: Callable[[], Any]) -> int:
         """Run the program; returns its exit status, and raises what a fault of C raises."""
         reason, status = "exit", 0
-        self._limit()
+        limit = TimeLimit(SECONDS, lambda: _stop("cpu")) if self.scripted else nullcontext()
         try:
-            status = main() or 0
+            with limit:  # a script has an end: so has the program that follows it
+                status = self._whole(main)
         except ProgramEnd as end:
             reason, status = end.reason, end.status
         except WindowClosed:
@@ -104,23 +105,21 @@ class Session:
             self._end(reason)
         return status if isinstance(status, int) else 0
 
-    def _end(self, reason: str) -> None:
+    def _whole(self, main: Callable[[], Any]) -> Any:
+        """The program, then what it asked for by atexit(); returns its exit status."""
         try:
-            while reason == "exit" and self.at_exit:
-                self.at_exit.pop()()
+            status = main() or 0
         except ProgramEnd as end:
-            reason = end.reason
-        finally:
-            for close in self.closing:
-                close()
-            if self.scripted and sys.platform != "win32":
-                signal.setitimer(signal.ITIMER_PROF, 0)
-            if self.trace and self._trace_file:
-                text = self.trace.end(reason)
-                self._trace_file.write_text(text, encoding="ascii", newline="\n")
+            if end.reason != "exit":
+                raise
+            status = end.status
+        while self.at_exit:
+            self.at_exit.pop()()
+        return status
 
-    def _limit(self) -> None:
-        """A script has an end: so has the program that follows it."""
-        if self.scripted and sys.platform != "win32":
-            signal.signal(signal.SIGPROF, lambda number, frame: _stop("cpu"))
-            signal.setitimer(signal.ITIMER_PROF, SECONDS)
+    def _end(self, reason: str) -> None:
+        for close in self.closing:
+            close()
+        if self.trace and self._trace_file:
+            text = self.trace.end(reason)
+            self._trace_file.write_text(text, encoding="ascii", newline="\n")
