@@ -88,10 +88,10 @@ def same_in_time(tab: Tab, expected: NDArray[np.uint8]) -> bool:
     return False
 
 
-@pytest.mark.parametrize("name", ["hello", "fonts"])
+@pytest.mark.parametrize("name", ["hello", "fonts", "PLOTTER.C"])
 def test_a_demo_draws_its_picture_to_the_pixel(tab: Tab, name: str) -> None:
     """The pictures of the documentation are those that are drawn at home: tests/test_docs.py."""
-    tab.evaluate(f"document.querySelector('[data-demo={name}]').click()")
+    tab.evaluate(f"""document.querySelector('[data-demo="{name}"]').click()""")
     wait(tab, f"{CANVAS}?.width")
     assert same_in_time(tab, load(pictures.PICTURES / f"{name}.png").rgba[..., :3])
     click(tab, "stop")
@@ -133,6 +133,42 @@ def test_an_error_is_shown_with_its_line(tab: Tab, program: str, error: str, lin
     run(tab, program)
     assert f"\n{error}: " in printed(tab)
     assert tab.evaluate("document.querySelector('.wrong').textContent") == f"{line}\n"
+
+
+OF_1993 = """\
+/* \u00e4 */
+#include <graphics.h>
+#include <conio.h>
+
+void main()
+{
+    int driver = VGA, mode = VGAHI;
+    initgraph(&driver, &mode, "C:\\\\TC\\\\BGI");
+    bar(0, 0, 99, 99);
+    %s
+    getch();
+    closegraph();
+}
+"""
+
+
+def test_a_program_of_1993_is_pasted_and_runs(tab: Tab) -> None:
+    run(tab, OF_1993 % "putpixel(200, 200, RED);")
+    expected = np.zeros((480, 640, 3), np.uint8)
+    expected[:100, :100], expected[200, 200] = 255, (0xAA, 0, 0)
+    wait(tab, f"{CANVAS}?.width === 640")
+    assert same_in_time(tab, expected)
+    tab.press("x", "KeyX")
+    assert printed(tab) == ""
+    assert tab.evaluate("document.querySelector('#name').textContent") == "PROGRAM.C"
+
+
+def test_an_error_in_c_is_shown_with_its_line(tab: Tab) -> None:
+    run(tab, OF_1993 % "putpixel(200, 200);")
+    assert printed(tab).startswith("PROGRAM.C:10:")
+    assert tab.evaluate("document.querySelector('.wrong').textContent") == "10\n"
+    run(tab, "print(6 * 7)\n")
+    assert printed(tab) == "42\n"
 
 
 def test_what_is_drawn_is_seen_though_the_program_asks_for_nothing(tab: Tab) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from gallery.catalogue import NAMES
+from gallery.catalogue import C_NAMES, NAMES
 from tools.site import build
 
 pytest.importorskip("markdown_it", reason="needs markdown-it-py")
@@ -48,7 +48,7 @@ def test_everything_that_a_page_loads_is_there(site: Path) -> None:
 
 
 def test_links_lead_to_pages_and_places(site: Path) -> None:
-    demos = {f"#{name}" for name in NAMES}
+    demos = {f"#{name}" for name in (*NAMES, *C_NAMES)}
     for file in site.rglob("*.html"):
         for link in Page(file).links:
             if link.startswith("https:") or link in demos:

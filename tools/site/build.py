@@ -8,7 +8,7 @@ import zipfile
 from pathlib import Path
 
 import demos  # noqa: F401  (with it, its helpers are found)
-from gallery.catalogue import NAMES, load
+from gallery.catalogue import C_NAMES, NAMES, load
 from tools.pyodide import parts
 from tools.site import pages
 
@@ -48,7 +48,7 @@ def write_pages(folder: Path) -> None:
         if file.suffix in (".js", ".css", ".svg") and (own or file.stem in SHARED):
             shutil.copy(file, folder)
     pages.write_docs(folder)
-    pages.write_gallery(folder, [load(name) for name in NAMES])
+    pages.write_gallery(folder, [load(name) for name in (*NAMES, *C_NAMES)])
 
 
 def _copy_python(python: Path, numpy: Path) -> None:
@@ -70,7 +70,7 @@ def _copy_python(python: Path, numpy: Path) -> None:
 def _first_visit(folder: Path) -> int:
     """The bytes of the first page with everything that it may load."""
     loaded = [*(folder / "python").iterdir(), *folder.glob("*.*")]
-    loaded += [folder / "pictures" / f"{name}.png" for name in NAMES]
+    loaded += [folder / "pictures" / f"{name}.png" for name in (*NAMES, *C_NAMES)]
     return sum(file.stat().st_size for file in loaded)
 
 

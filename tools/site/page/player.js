@@ -5,7 +5,8 @@ import { Machine } from "./machine.js";
 import { png } from "./png.js";
 import { Windows } from "./windows.js";
 
-const WHERE = /program.*?", line (\d+)|File ".*\/programs\/[^"]*", line (\d+)/g;
+// Where a program's line is named: Python's way, and that of a compiler for C.
+const WHERE = /program.*?", line (\d+)|File ".*\/programs\/[^"]*", line (\d+)|^[\w-]+\.\w+:(\d+):\d+: /gm;
 const LINES_KEPT = 1000;
 
 const LAYOUT = `
@@ -104,7 +105,7 @@ export class Player {
     this.#find(".answer").hidden = true;
     const places = status === 0 ? [] : [...this.#text.matchAll(WHERE)];
     const last = places.at(-1);
-    this.wrong(last ? Number(last[1] ?? last[2]) : 0);
+    this.wrong(last ? Number(last.slice(1).find(Boolean)) : 0);
   }
 
   #load(part) {

@@ -4,7 +4,6 @@ import atexit
 import os
 import sys
 import traceback
-from collections.abc import Callable
 from pathlib import Path
 
 FOLDER = Path("/home/pyodide/programs")
@@ -20,18 +19,20 @@ _used = False
 def run(name: str, program: str) -> int:
     """Run a program, whose file has that name, to its end; returns its exit status.
 
-    How, the name's ending says.
+    The name's ending says whether it is one in Python or in C.
     """
     global _used
     if _used:
         _forget_the_last_one()
     _used = True
-    file = FOLDER / name
-    file.write_text(program, encoding="utf-8")
+    code = "utf-8" if name.endswith(".py") else "cp437"  # as a PC of 1990 stored it
+    (FOLDER / name).write_text(program, code, "replace")
     os.chdir(FOLDER)
     sys.path[:] = ["", *_path]  # the first one is the program's
     try:
-        return RUNNERS[file.suffix](name)
+        from bgi.__main__ import main
+
+        return main([name])
     except KeyboardInterrupt:
         print("Stopped.", file=sys.stderr)
         return 130
@@ -41,15 +42,6 @@ def run(name: str, program: str) -> int:
     finally:
         sys.stdout.flush()
         sys.stderr.flush()
-
-
-def _run_python(name: str) -> int:
-    from bgi.__main__ import main
-
-    return main([name])
-
-
-RUNNERS: dict[str, Callable[[str], int]] = {".py": _run_python}
 
 
 def _forget_the_last_one() -> None:
