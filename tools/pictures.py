@@ -4,7 +4,8 @@
 
 A picture on a page belongs to the block of code just before it, and is what that block leaves on
 the screen: so a page cannot show what its code does not draw. A demo's picture is the one in the
-gallery; one is recorded while it moves. tests/test_docs.py draws them all again and compares.
+gallery; one is recorded while it moves; that of a lesson's program is kept for its test only.
+tests/test_docs.py and tests/course/ draw them all again and compare.
 """
 
 import importlib
@@ -29,10 +30,15 @@ from gallery.catalogue import C_NAMES, NAMES, load
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PICTURES = DOCS / "pictures"
+COURSE = ROOT / "demos" / "course"
+LESSONS = sorted(COURSE.glob("[0-9][0-9]_*.py"))
+LESSONS_PICTURES = ROOT / "tests" / "course" / "pictures"
 # What is pressed for each block that asks for keys, and a number for one that scans.
 KEYS = "a Left Up Space Wait1s +Esc Wait9s -Esc 7 Enter"
 TYPED = "7 Space 6 Enter 3 Space 4 Enter"  # the same where words are typed
 LEAST_WIDTH, MARGIN = 400, 12
+# What is pressed in a lesson's program, where it is more than the key that ends it.
+LESSON_KEYS: dict[str, str] = {}
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
 
@@ -40,17 +46,25 @@ SECONDS = "2.4s"  # as much as fits into half a megabyte
 ON_A_SCREEN = "follows `from bgi import *` and `initgraph(VGA, VGAHI)`"
 ON_TEXT = re.compile(r"follows\s+`from bgi\.(conio|stdio|stdlib) import \*`")
 IN_ORDER = "type them one after the other"
+NAMES_STAY = re.compile(r"what an earlier piece\s+defines, a later one knows")
 
 _BLOCK = re.compile(
     r"^```python\n(?P<code>.*?)^```\n"  # a block of code
-    r"(?:\n!\[[^]]*\]\(pictures/(?P<picture>[\w-]+\.png)\))?",  # and perhaps its picture
+    r"(?:\n!\[[^]]*\]\((?:\.\./)?pictures/(?P<picture>[\w-]+\.png)\))?",  # perhaps its picture
     re.DOTALL | re.MULTILINE,
 )
+
+sys.path.append(str(COURSE))  # the code of a lesson's page finds squares.py as its programs do
+
+
+def texts() -> list[Path]:
+    """The pages, and those of the course."""
+    return [*sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("course/*.md"))]
 
 
 def pages() -> list[Path]:
     """The pages that hold code."""
-    return [page for page in sorted(DOCS.glob("*.md")) if "```python" in page.read_text("utf-8")]
+    return [page for page in texts() if "```python" in page.read_text("utf-8")]
 
 
 def blocks(page: Path) -> Iterator[tuple[str, str | None]]:
@@ -77,11 +91,11 @@ def draw_page(page: Path, folder: Path) -> list[str]:
     for code, picture in blocks(page):
         if IN_ORDER not in text:
             current.close_screen()
-            names = {}
+            names = names if NAMES_STAY.search(text) else {}
         if header := ON_TEXT.search(text):
             names = star(header[1])
         if ON_A_SCREEN in text:
-            names = {name: getattr(bgi, name) for name in bgi.__all__}
+            names |= {name: getattr(bgi, name) for name in bgi.__all__}
             bgi.initgraph(bgi.VGA, bgi.VGAHI)
         with TemporaryDirectory() as elsewhere, chdir(elsewhere):
             exec(compile(code, page, "exec"), names)
@@ -112,6 +126,17 @@ def shoot_program(name: str, folder: Path) -> list[str]:
     """Save the picture of a program in C; returns its name."""
     load(name).save(folder / f"{name}.png")
     return [f"{name}.png"]
+
+
+def shoot_lesson(program: Path, folder: Path) -> str:
+    """Save what the program of a lesson leaves on the screen; returns what it said by mistake."""
+    own = {name: value for name, value in os.environ.items() if not name.startswith("BGI_")}
+    shot = folder / f"{program.stem}.png"
+    plan = {"BGI_MONITOR": "none", "BGI_KEYS": LESSON_KEYS.get(program.stem, "x")}
+    command = [sys.executable, "-m", "bgi", "--shot", str(shot), str(program)]
+    path = {"PYTHONPATH": str(ROOT)}
+    ran = subprocess.run(command, env=own | plan | path, capture_output=True, text=True)
+    return ran.stdout + ran.stderr.replace(f"bgi: {shot} was written\n", "")
 
 
 def record_demo(folder: Path) -> list[str]:
@@ -147,6 +172,9 @@ def main(folder: Path = PICTURES) -> None:
     drawn += [name for demo in NAMES for name in draw_demo(demo, folder)]
     drawn += [name for program in C_NAMES for name in shoot_program(program, folder)]
     drawn += record_demo(folder)
+    if folder == PICTURES:
+        for program in LESSONS:
+            shoot_lesson(program, LESSONS_PICTURES)
     print(f"{len(drawn)} pictures")
 
 

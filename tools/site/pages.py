@@ -13,21 +13,25 @@ from gallery.catalogue import Demo
 from tools import pictures
 
 DOCS = pictures.DOCS
+ROOT = pictures.ROOT
 PAGE = Path(__file__).with_name("page")
 
-_LINK = re.compile(r"(?P<page>[\w-]+)\.md(?P<place>#.*)?|\.\./demos/\d+_(?P<demo>\w+)\.py")
-_OUTSIDE = {"../README.md": "../index.html", "../demos/README.md": "../index.html"}
+_FIRST_PAGE = ROOT / "README.md", ROOT / "demos" / "README.md"
+_LESSON = re.compile(r"\]\(../../(demos/course/\d\d_\w+\.py)\)(?:.+\n)*")
+WHOLE = "python whole"
+"""How a program is marked that follows nothing on its page."""
 
 
 def write_docs(folder: Path) -> None:
     """Write each page of docs/ as HTML."""
-    (folder / "docs").mkdir()
-    for page in sorted(DOCS.glob("*.md")):
+    for page in pictures.texts():
         text = page.read_text("utf-8")
         title = text.partition("\n")[0].lstrip("# ")
-        body = _html(text)
-        written = _filled("page.html", TITLE=html.escape(title), ROOT="../", BODY=body)
-        (folder / "docs" / f"{page.stem}.html").write_text(written, encoding="utf-8")
+        body = _html(page, _with_program(text))
+        written = _filled("page.html", TITLE=html.escape(title), ROOT=_to_root(page), BODY=body)
+        file = folder / "docs" / page.relative_to(DOCS).with_suffix(".html")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(written, encoding="utf-8")
 
 
 def write_gallery(folder: Path, demos: Iterable[Demo]) -> None:
@@ -52,7 +56,22 @@ def _filled(name: str, **parts: str) -> str:
     return text
 
 
-def _html(text: str) -> str:
+def _to_root(page: Path) -> str:
+    """How a page leads to the site's first one."""
+    return "../" * len(page.relative_to(DOCS).parts)
+
+
+def _with_program(text: str) -> str:
+    """A lesson with its program below the lines that speak of it."""
+
+    def shown(found: re.Match[str]) -> str:
+        program = (ROOT / found[1]).read_text("utf-8")
+        return f"{found[0]}\n```{WHOLE}\n{program}```\n"
+
+    return _LESSON.sub(shown, text)
+
+
+def _html(page: Path, text: str) -> str:
     """A page of Markdown as HTML; its programs are marked, so that the page can run them."""
     markdown = MarkdownIt("commonmark").enable("table")
     tokens = markdown.parse(text)
@@ -60,12 +79,16 @@ def _html(text: str) -> str:
     for token, following in zip(tokens, [*tokens[1:], None], strict=True):
         if token.type == "heading_open" and following is not None:
             token.attrSet("id", _anchor(following.content))
-        if token.type == "fence" and token.info == "python":
+        if token.type == "fence" and token.info == WHOLE:
+            token.type, token.content = "html_block", _program("", token.content)
+        elif token.type == "fence" and token.info == "python":
             code = token.content
             token.type, token.content = "html_block", _program(before, code)
             if pictures.IN_ORDER in text:
                 before += code
-        _lead(token.children or [])
+            elif pictures.NAMES_STAY.search(text):
+                before += f"{code}initgraph(VGA, VGAHI)\n"
+        _lead(page, token.children or [])
     rendered: str = markdown.renderer.render(tokens, markdown.options, {})
     return rendered
 
@@ -87,26 +110,31 @@ def _anchor(heading: str) -> str:
     return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
 
 
-def _lead(tokens: list[Token]) -> None:
+def _lead(page: Path, tokens: list[Token]) -> None:
     """Have links and pictures lead to where that is on the site, or nowhere."""
     tag = ""
     for token in tokens:
         if token.type == "image":
             token.attrSet("src", f"../{token.attrGet('src')}")
         elif token.type == "link_open":
-            target = _target(str(token.attrGet("href")))
+            target = _target(page, str(token.attrGet("href")))
             token.attrs = {"href": target} if target else {}
             token.tag = tag = "a" if target else "span"
         elif token.type == "link_close":
             token.tag = tag
 
 
-def _target(link: str) -> str:
+def _target(page: Path, link: str) -> str:
     """Where a link of the repository leads on the site; "" for what is not there."""
     if link.startswith(("https:", "#")):
         return link
-    found = _LINK.fullmatch(link)
-    if found is None:
-        return _OUTSIDE.get(link, "")
-    page, place, demo = found["page"], found["place"] or "", found["demo"]
-    return f"../index.html#{demo}" if demo else f"{page}.html{place}"
+    path, mark, place = link.partition("#")
+    file = (page.parent / path).resolve()
+    if file in _FIRST_PAGE:
+        return f"{_to_root(page)}index.html"
+    if file in pictures.texts():
+        return f"{path.removesuffix('.md')}.html{mark}{place}"
+    demo = re.fullmatch(r"\d+_(\w+)\.py", file.name)
+    if demo and file.parent == ROOT / "demos":
+        return f"{_to_root(page)}index.html#{demo[1]}"
+    return ""

@@ -31,7 +31,7 @@ async function start({ memory, signals, parts }) {
   python.setStdout({ write });
   python.setStderr({ write });
   python.registerJsModule("bgi_port", port);
-  python.runPython("import sys; sys.path[:0] = ['/packages', '/packages/demos']; import numpy, runner, bgi.__main__, bgi.monitor.tab");
+  python.runPython("import sys; sys.path[:0] = ['/packages', '/packages/demos', '/packages/demos/course']; import numpy, runner, bgi.__main__, bgi.monitor.tab");
   postMessage({ ready: true });
 }
 
