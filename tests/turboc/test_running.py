@@ -117,6 +117,8 @@ def test_switch_falls_through_and_continues_the_loop_around(result):
         ("int i = 0; top: switch (i++) { case 0: r += 1; goto top; case 1: r += 10;"
          " case 2: r += 100; break; default: r = 0; } if (i < 3) goto top;", 211),
         ("int i = 3; if (i) { back: r = r * 10 + i; } else r = 9; if (--i) goto back;", 321),
+        ("int i = 2, j = 1; if (i == 2) { if (j == 2) { r = 1; in: r += 5; } else r += 10; }"
+         " else r += 100; if (r < 11) goto in;", 15),
         ("int i = 0; do { if (i == 2) goto end; i++; } while (i < 9); end: r = i;", 2),
     ],
 )  # fmt: skip
@@ -251,6 +253,23 @@ def test_objects_are_made_copied_and_destroyed_in_order(tmp_path):
         }
     """
     assert printed(tmp_path, text) == ["A50~50~6A1010~10~9~8~7\\n~5"]
+
+
+def test_a_member_hides_what_is_global_and_a_local_hides_a_member(result):
+    before = """
+        int p[3]; int f() { return 1; }
+        class A {
+            int p;
+        public:
+            A() { p = 5; }
+            int f() { return 2; }
+            int sum() { p += 10; return p * 10 + f(); }
+            int local(int p) { p++; return p * 100 + this->p; }
+        };
+    """
+    assert result("A a; r = a.sum() * 1000L + a.local(1);", before, ending=".CPP") == 152215
+    before = "enum { one = 1 }; struct A { int one; A() : one(7) { } int get() { return one; } };"
+    assert result("A a; r = a.get() * 10 + one;", before, ending=".CPP") == 71
 
 
 def test_unions_share_their_bytes(result):

@@ -100,8 +100,7 @@ class Calls(Values):
 
     def _by_name(self, name: nodes.Name, given: list[Value], place: Place) -> Value:
         inside = self.cls is not None and name.scope != "::"
-        own = self.scope.find(name.name) if not name.scope else []
-        local = bool(own) and own[0].kind in ("local", "parameter")
+        local = not name.scope and self.scope.find_inside(name.name)
         if inside and not local and self.cls is not None:
             cls = self.named_type(name.scope, place) if name.scope else self.cls
             if isinstance(cls, StructType) and cls.method(name.name):

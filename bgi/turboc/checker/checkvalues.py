@@ -105,12 +105,11 @@ class Values(Meaning):
     # Names
 
     def _name(self, node: nodes.Name) -> Value:
-        found = self.find(node.name, node.scope, node.place)
-        if found and found[0].kind != "library":
-            return self.named(found[0], node.place)
-        member = self.own_member(node)
+        found = [] if node.scope else self.scope.find_inside(node.name)
+        member = None if found else self.own_member(node)
         if member is not None:
             return member
+        found = found or self.find(node.name, node.scope, node.place)
         if found:
             return self.named(found[0], node.place)
         raise self.unknown(node.name, node.place)

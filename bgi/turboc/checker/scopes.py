@@ -27,6 +27,15 @@ class Scope:
             scope = scope.outer
         return []
 
+    def find_inside(self, name: str) -> list[Symbol]:
+        """What a name stands for in the function: it hides a member, which hides a global."""
+        scope = self
+        while scope.outer is not None:
+            if name in scope.names:
+                return scope.names[name]
+            scope = scope.outer
+        return []
+
     def find_type(self, name: str) -> Type | None:
         """The type that a name stands for."""
         scope: Scope | None = self

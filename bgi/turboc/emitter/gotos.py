@@ -38,6 +38,8 @@ class Machine:
     labels: dict[str, int] = field(default_factory=dict)
     variables: list[Symbol] = field(default_factory=list)
     """Those that hold the values of switches."""
+    made: int = 0
+    """Labels that no program has."""
 
     def add(self, act: Act) -> None:
         """A statement of the last part."""
@@ -49,8 +51,9 @@ class Machine:
         self.labels[label] = len(self.parts) - 1
 
     def new(self, why: str) -> str:
-        """A label that no program has."""
-        return f"{why} {len(self.parts)} {len(self.labels)}"
+        """A label that no program has, and nothing else here."""
+        self.made += 1
+        return f"{why} {self.made}"
 
 
 def taken_apart(body: Group) -> Machine:
