@@ -8,6 +8,8 @@ program's search path without that folder, and the package is loaded from where 
 import os
 import subprocess
 import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 
 from bgi.errors import BGIError
 from bgi.memory.card import Card
@@ -52,22 +54,36 @@ def start(card: Card, child: str) -> subprocess.Popen[bytes]:
         *("-c", _BOOT, PACKAGE, "\n".join(search_path()), child, card.handle, _folder()),
     ]
     try:
-        return subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=None if _is_open(2) else subprocess.DEVNULL,
-            bufsize=0,
-            pass_fds=card.inherit,
-            # Apart from the program's terminal: Ctrl-C there is for the program alone, and on
-            # Windows no console opens.
-            process_group=None if sys.platform == "win32" else 0,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
+        with _without_debugger():
+            return subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=None if _is_open(2) else subprocess.DEVNULL,
+                bufsize=0,
+                pass_fds=card.inherit,
+                # Apart from the program's terminal: Ctrl-C there is for the program alone, and on
+                # Windows no console opens.
+                process_group=None if sys.platform == "win32" else 0,
+                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+            )
     except OSError as error:
         # Windows does not say which file it has not found.
         reason = f"{sys.executable}: {error.strerror}"
         raise BGIError(f"no window: its process could not be started: {reason}") from None
+
+
+def _without_debugger() -> AbstractContextManager[None]:
+    """While a process is started that no debugger is to follow.
+
+    That of VS Code and PyCharm joins each Python that its program starts, and holds it until its
+    user goes on: no window would open before that.
+    """
+    debugger = sys.modules.get("_pydev_bundle.pydev_monkey")
+    skip: Callable[[], AbstractContextManager[None]] = getattr(
+        debugger, "skip_subprocess_arg_patch", nullcontext
+    )
+    return skip()
 
 
 def search_path() -> list[str]:

@@ -3,7 +3,10 @@
 import os
 import subprocess
 import sys
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -206,3 +209,25 @@ print(count > 5)
 """
     ran = run("-c", source, cwd=tmp_path, monitor=monitor)
     assert (ran.stdout, ran.stderr, ran.returncode) == ("True\n", "", 0)
+
+
+def test_a_debugger_does_not_follow_the_window(monkeypatch: pytest.MonkeyPatch) -> None:
+    followed = True
+
+    @contextmanager
+    def skip() -> Generator[None]:
+        nonlocal followed
+        followed = False
+        yield
+        followed = True
+
+    debugger = ModuleType("_pydev_bundle.pydev_monkey")  # as VS Code's is loaded
+    monkeypatch.setattr(debugger, "skip_subprocess_arg_patch", skip, raising=False)
+    monkeypatch.setitem(sys.modules, debugger.__name__, debugger)
+    monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: followed)
+    card = Card()
+    try:
+        assert process.start(card, "bgi.monitor.child") is False
+    finally:
+        card.close()
+    assert followed
