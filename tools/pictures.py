@@ -38,7 +38,9 @@ KEYS = "a Left Up Space Wait1s +Esc Wait9s -Esc 7 Enter"
 TYPED = "7 Space 6 Enter 3 Space 4 Enter"  # the same where words are typed
 LEAST_WIDTH, MARGIN = 400, 12
 # What is pressed in a lesson's program, where it is more than the key that ends it.
-LESSON_KEYS: dict[str, str] = {}
+LESSON_KEYS = {
+    "02_lines": "Up Up Up Up Up Up Up Up Left Left x Esc",
+}
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
 

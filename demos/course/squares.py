@@ -17,6 +17,8 @@ def enlarge(columns, rows, size=12, left=0, top=None, x=0, y=0):
         top: the same; below the pixels themselves unless given.
         x: the first pixel's place; 0, 0 is the screen's upper left corner.
         y: the same.
+
+    Returns the upper left corner of the first square, to draw over the squares from there.
     """
     picture = [[getpixel(x + i, y + j) for i in range(columns)] for j in range(rows)]
     left += ROOM
@@ -30,3 +32,4 @@ def enlarge(columns, rows, size=12, left=0, top=None, x=0, y=0):
         outtextxy(left + i * size + 2, top - 10, str(x + i))
     for j in range(-y % NUMBER_EVERY, rows, NUMBER_EVERY):
         outtextxy(left - ROOM, top + j * size + size // 2 - 3, f"{y + j:3}")
+    return left, top
