@@ -28,7 +28,10 @@ pytest_plugins = ["tests.skips", "tests.browser"]
 
 # What is about windows and pages, by processes and pygame's own names.
 _WINDOW = ("keys", "lens", "pointer_look", "process", "program_ends", "window", "x11")
-_WITHOUT = ["test_bench.py", "monitor/web", *(f"monitor/test_{name}.py" for name in _WINDOW)]
+_WITHOUT = [
+    *("test_bench.py", "monitor/web", "site/test_in_the_browser.py"),
+    *(f"monitor/test_{name}.py" for name in _WINDOW),
+]
 collect_ignore = [] if sdl.FOUND else _WITHOUT
 
 

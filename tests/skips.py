@@ -39,7 +39,6 @@ REASONS = {
     "needs Chromium": IN_CI or _no_program("chromium"),  # a browser is no part of CI
     "needs Pyodide": IN_CI or not parts.cached(),  # python -m tools.site fetches it
     "needs pygame": not sdl.FOUND,
-    "needs websockets": _no_package("websockets"),
     "needs Pillow": _no_package("PIL"),
     "needs Hershey-Fonts": _no_package("HersheyFonts"),
     "needs shapely": _no_package("shapely"),

@@ -21,7 +21,7 @@ from bgi.memory.sdl import pygame, twins
 from bgi.monitor.display import Display, free_name
 from bgi.monitor.inputs import Inputs
 from bgi.monitor.letters import at_moment
-from bgi.monitor.pace import IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
+from bgi.monitor.pace import FACTS_SECONDS, IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
 from bgi.monitor.protocol import encode, receive
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.speaker import Speaker
@@ -29,7 +29,6 @@ from bgi.monitor.speaker import Speaker
 # Seconds.
 NAP, IDLE_NAP = 0.004, 0.010  # between two looks for events; pygame's own wait looks every 0.001
 LINGER = 60  # at most, to finish a recording
-FACTS_SECONDS = 0.5  # between two questions about the program's screen, while the board is shown
 
 Inbox = queue.SimpleQueue[tuple[str, str]]
 

@@ -1,7 +1,7 @@
-"""The magnifier, and the board of the card's palette and pages: pictures laid over the window's.
+"""The magnifier, a picture laid over the window's: an array of colours here, without any window.
 
-Both are for whoever learns how pixels are set, or looks for a wrong one. They are arrays of colours
-here, without any window.
+It is for whoever learns how pixels are set, or looks for a wrong one. A page in a browser has one
+of its own (web/page/lens.js), which looks the same.
 """
 
 from __future__ import annotations
@@ -113,40 +113,3 @@ def written(text: str, width: int) -> Colors:
     ink = np.concatenate([glyphs(ROW)[code] for code in codes], axis=1)
     row[:, : ink.shape[1]][ink] = INK
     return row
-
-
-def board(
-    palette: Colors, colors: int, pages: list[Pixels], visible: int, facts: list[str]
-) -> Colors:
-    """The palette as squares, all pages small, the visible one framed, and lines of text.
-
-    Args:
-        palette: the colours of the indices, shape (256, 3).
-        colors: how many of them are shown, 16 or 256.
-        pages: the pixels of each page.
-        visible: the number of the page that is shown.
-        facts: what else is to be said, a line each.
-    """
-    width = SIZE[0]
-    side = width // 16
-    squares = palette[:colors].reshape(-1, 16, 3).repeat(side, 0).repeat(side, 1)
-    squares[::side] = squares[:, ::side] = GRID
-    small = [thumbnail(page, palette, width // 2 - 4) for page in pages[:4]]
-    parts = [written(fact, width) for fact in facts] + [squares]
-    for start in range(0, len(small), 2):
-        row = np.tile(GRID, (small[0].shape[0] + 8, width, 1))
-        for column, picture in enumerate(small[start : start + 2]):
-            left = column * width // 2
-            if start + column == visible:
-                row[:, left : left + width // 2] = INK
-            row[4:-4, left + 4 : left + 4 + picture.shape[1]] = picture
-        parts.append(row)
-    return np.concatenate(parts)
-
-
-def thumbnail(page: Pixels, palette: Colors, width: int) -> Colors:
-    """A page, small, in the shape of a screen: every so many pixels one."""
-    height = width * 3 // 4
-    rows = np.arange(height) * page.shape[0] // height
-    columns = np.arange(width) * page.shape[1] // width
-    return shown(page[rows][:, columns], palette)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 from typing import TYPE_CHECKING
 
-from bgi.memory.card import CELL_BYTES, Card, Frame
+from bgi.memory.card import Card, Frame
 from bgi.memory.sdl import pygame
 
 # What needs numpy is imported late: most windows never show any of it, and open sooner without.
@@ -61,7 +60,9 @@ class Overlays:
         if self._lens is not None:
             self._draw_lens(self._lens, view, frame, palette, mouse)
         if self.board:
-            lay(view, self._board(frame, palette), left=True, top=True)
+            from bgi.monitor.board import board
+
+            lay(view, board(self._card, frame, palette, self.facts), left=True, top=True)
 
     def _draw_lens(
         self, lens: Lens, view: pygame.Surface, frame: Frame, palette: bytes, mouse: Place
@@ -78,26 +79,6 @@ class Overlays:
         tall = view.get_height() * frame.width / (view.get_width() * frame.height)
         picture = magnified(now, colors(palette), (x, y), lens.times, tall)
         lay(view, picture, left=2 * x >= frame.width, top=2 * y >= frame.height)
-
-    def _board(self, frame: Frame, palette: bytes) -> Colors:
-        import numpy as np
-
-        from bgi.monitor.lens import board
-        from bgi.monitor.picture import colors, pixels
-
-        card, pages = self._card, [pixels(frame)]
-        facts = [f"{frame.width} x {frame.height}", *self.facts]
-        visible = 0
-        if frame.pixel_bytes != CELL_BYTES:
-            with contextlib.suppress(ValueError):  # the mode is changing just now
-                kind = np.dtype(np.uint8) if frame.pixel_bytes == 1 else np.dtype("<u4")
-                shape = frame.height, frame.width
-                numbers = range(card.pages)
-                pages = [np.frombuffer(card.page(n), kind).reshape(shape) for n in numbers]
-                visible = card.visible
-            facts[0] += f", page {visible} of {len(pages)} is shown"
-        many = max((int(page.max()) for page in pages if page.dtype == np.uint8), default=0)
-        return board(colors(palette), 256 if many > 15 else 16, pages, visible, facts)
 
 
 def lay(view: pygame.Surface, picture: Colors, left: bool, top: bool) -> None:

@@ -35,10 +35,11 @@ from bgi.monitor import art
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import KeyQueue
 from bgi.monitor.letters import at_moment
+from bgi.monitor.pace import FACTS_SECONDS
 from bgi.monitor.pointer import Event, Mouse
 from bgi.monitor.protocol import TITLE
 from bgi.monitor.web.pageinputs import PageInputs
-from bgi.monitor.web.updates import Still, between
+from bgi.monitor.web.updates import Still, between, board_message
 from bgi.monitor.web.words import understood
 
 FRAME_SECONDS = 1 / 60
@@ -74,7 +75,7 @@ class Tab:
         self._picture: Still | None = None
         self._sent = self._shown = 0
         self._busy = False  # sending: a signal comes between any two instructions
-        self._looked = 0.0
+        self._board_due = math.inf  # when the board is to be shown
         self._closed = False
         _open[self._number] = self
         if sys.platform != "win32":  # where there are no signals of this kind, nor pages
@@ -114,14 +115,16 @@ class Tab:
         now = at_moment(frame, time.monotonic()), self._card.colors()
         if now != self._seen and self._shown == self._sent:
             self._send_picture()
+        if time.monotonic() >= self._board_due:
+            self._board_due = time.monotonic() + FACTS_SECONDS
+            self._send_board()
 
     def _send_picture(self) -> None:
         frame = self._card.frame()
         if frame is None:
             return
         self._busy = True
-        self._looked = time.monotonic()
-        frame, palette = at_moment(frame, self._looked), self._card.colors()
+        frame, palette = at_moment(frame, time.monotonic()), self._card.colors()
         self._seen = frame, palette
         picture = Still(frame, palette)
         for message in between(self._picture, picture):
@@ -129,6 +132,17 @@ class Tab:
         self._picture = picture
         self._sent += 1
         self._busy = False
+
+    def _send_board(self) -> None:
+        frame = self._card.frame()
+        if frame is not None:
+            from bgi.monitor.board import board  # late: few programs show it
+
+            self._busy = True
+            frame = at_moment(frame, time.monotonic())
+            picture = board(self._card, frame, self._card.colors(), self.describe())
+            port.send(self._number, board_message(picture))
+            self._busy = False
 
     def _size(self) -> tuple[int, int]:
         if self._picture is None:
@@ -199,6 +213,8 @@ class Tab:
                 self._inputs.point(*numbers)
             case "wheel":
                 self._inputs.roll(*numbers)
+            case "board":
+                self._board_due = time.monotonic() if numbers[0] else math.inf
 
     def _take(self, word: str, *arguments: Any) -> bool:
         """What the inputs have made of it, as `bgi.monitor.protocol` has it."""
@@ -242,7 +258,9 @@ class Tab:
         self._tell("title", title)
 
     def magnify(self, times: int, follows: str) -> None:
-        """Nothing: the page has no lens."""
+        """Show a part enlarged, 0 times for none, around the `mouse` or the last `pixels` set."""
+        self._check()
+        self._tell("lens", times, follows)
 
     def notebook_html(self) -> str:
         """Nothing: there the picture is shown."""
@@ -256,6 +274,7 @@ class Tab:
         if not self._closed:
             self._closed = True
             self._send_picture()
+            self._send_board()  # whoever looks at what was drawn may ask for it
             self._await_page(END_SECONDS)
             self._keys.hold(self, 0, frozenset())
             self._tell("close")

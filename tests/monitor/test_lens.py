@@ -11,6 +11,7 @@ from bgi import current
 from bgi.memory import rgb
 from bgi.memory.card import Card
 from bgi.memory.sdl import pygame
+from bgi.monitor.board import laid_out
 from bgi.monitor.display import Display
 from bgi.monitor.headless import Headless
 from bgi.monitor.lens import (
@@ -20,7 +21,6 @@ from bgi.monitor.lens import (
     SIZE,
     TIMES,
     Lens,
-    board,
     last_changed,
     magnified,
     name_of,
@@ -92,7 +92,7 @@ def test_the_key_goes_through_all_sizes_and_out() -> None:
 
 
 def test_the_board_shows_palette_and_pages(picture: np.ndarray) -> None:
-    shown = board(PALETTE, 16, [picture, picture * 0], 1, ["hello"])
+    shown = laid_out(PALETTE, 16, [picture, picture * 0], 1, ["hello"])
     assert_array_equal(shown[:ROW], written("hello", SIZE[0]))
     assert_array_equal(shown[ROW + 5, 5::21][:16], PALETTE[:16])
     pages = shown[ROW + 21 :]

@@ -14,6 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 from bgi.memory.imagefile import load
+from bgi.monitor.lens import SIZE
 from tests.skips import IN_CI
 from tools import chromium, pictures
 from tools.chromium import Browser, Tab
@@ -209,6 +210,23 @@ def test_the_mouse(tab: Tab) -> None:
         tab.call("Input.dispatchMouseEvent", type="mousePressed", buttons=held, **at)
         tab.call("Input.dispatchMouseEvent", type="mouseReleased", **at)
     assert printed(tab) == "True\n"
+
+
+def test_the_magnifier_and_the_board(tab: Tab) -> None:
+    """Also over what a program has left."""
+    run(tab, BEGIN + "putpixel(100, 200, YELLOW)\nmagnifier(8, 'pixels')\ngetch()\n")
+    said = "document.querySelector('.lens:not([hidden]) figcaption')?.textContent"
+    wait(tab, f"{said} === 'x 100  y 200  color 14 YELLOW'")
+    tab.press("x", "KeyX")
+    assert printed(tab) == ""
+    assert tab.evaluate("document.querySelector('.board').hidden")
+    click(tab, "board")
+    assert tab.evaluate("document.querySelector('.board canvas').width") == SIZE[0]
+    assert tab.evaluate("document.querySelector('.board').offsetHeight > 100")
+    click(tab, "board")
+    for _ in range(3):
+        click(tab, "lens")
+    assert tab.evaluate(f"{said} === undefined")
 
 
 def test_input_asks_on_the_page(tab: Tab) -> None:

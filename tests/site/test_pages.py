@@ -9,8 +9,6 @@ import pytest
 from gallery.catalogue import C_NAMES, NAMES
 from tools.site import build
 
-pytest.importorskip("markdown_it", reason="needs markdown-it-py")
-
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:

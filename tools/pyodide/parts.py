@@ -45,6 +45,8 @@ TEST_WHEELS = (
     "hypothesis==6.155.7",
     "sortedcontainers==2.4.0",
     "attrs==26.1.0",
+    "markdown-it-py==4.3.0",
+    "mdurl==0.1.2",
 )
 """What the tests need, all of it pure Python."""
 
@@ -97,10 +99,10 @@ def wheel(name: str) -> Path:
 def test_wheels() -> list[Path]:
     """The wheels of what the tests need."""
     folder = cache() / "tests"
-    if not folder.is_dir():
+    if len([*folder.glob("*.whl")]) != len(TEST_WHEELS):
         with tempfile.TemporaryDirectory() as scratch:
             _download(Path(scratch), *TEST_WHEELS)
-            cache().mkdir(parents=True, exist_ok=True)
+            shutil.rmtree(folder, ignore_errors=True)
             shutil.copytree(scratch, folder)
     return sorted(folder.glob("*.whl"))
 

@@ -16,7 +16,10 @@ ROOT = Path(__file__).parents[2]
 PAGE = Path(__file__).with_name("page")
 SCREEN = ROOT / "bgi" / "monitor" / "web" / "page"
 """The web monitor's page, whose screen, keys and sounds are this one's, too."""
-SHARED = ["fit", "icon", "keyboard", "keys", "mouse", "pointer", "png", "screen", "sound"]
+SHARED = [
+    *("board", "fit", "icon", "keyboard", "keys", "lens", "mouse", "pointer", "png", "screen"),
+    "sound",
+]
 PACKAGE = "pybgi.zip"
 MOST = 12_000_000
 """Bytes of a first visit."""

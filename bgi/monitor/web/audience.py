@@ -64,6 +64,16 @@ class Audience:
         for viewer in self._viewers:
             viewer.show(picture)
 
+    @property
+    def wants_board(self) -> bool:
+        """Whether any page shows the board."""
+        return any(viewer.wants_board for viewer in self._viewers)
+
+    def show_board(self, message: bytes) -> None:
+        """Show the board on the pages that want it."""
+        for viewer in self._viewers:
+            viewer.show_board(message)
+
     async def admit(self, connection: ServerConnection) -> None:
         """Serve a page until it goes."""
         if len(self._viewers) >= MOST:
@@ -96,8 +106,11 @@ class Audience:
         self._count(len(self._viewers))
 
     def _listen(self, viewer: Viewer, said: Said) -> None:
-        if said[0] == "type":
+        word, numbers, _ = said
+        if word == "type":
             self._give_keyboard(viewer)
+        elif word == "board":
+            viewer.wants_board = bool(numbers[0])
         elif viewer is self._typist:
             self._hear(said)
 

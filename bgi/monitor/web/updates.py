@@ -4,6 +4,9 @@ A message of colours is the byte 1 and the palette: red, green, blue of each ind
 the byte 2, the bytes of a pixel (1 or 4), width, height, the first row and how many follow (numbers
 of two bytes, little-endian), whether pixels are square, a zero, and the rows' pixels as the card
 has them (`bgi.memory.card`). Each picture ends with a message of rows, if only of none.
+
+The board (`bgi.monitor.board`) is the byte 3, a zero, its width and height (numbers of two bytes)
+and red, green, blue of each of its pixels.
 """
 
 import functools
@@ -17,8 +20,9 @@ from numpy.typing import NDArray
 from bgi.memory.card import Frame
 from bgi.monitor.picture import pixels
 
-COLORS, ROWS = 1, 2
+COLORS, ROWS, BOARD = 1, 2, 3
 _HEADER = struct.Struct("<BB4HBx")
+_BOARD_HEADER = struct.Struct("<Bx2H")
 
 
 @dataclass(eq=False)
@@ -61,3 +65,9 @@ def _rows(picture: Still, first: int, end: int) -> bytes:
     width, height, size, square = picture.shape
     header = _HEADER.pack(ROWS, size, width, height, first, end - first, square)
     return header + picture.pixels[first:end].tobytes()
+
+
+def board_message(picture: NDArray[np.uint8]) -> bytes:
+    """The message that shows the board."""
+    height, width, _ = picture.shape
+    return _BOARD_HEADER.pack(BOARD, width, height) + picture.tobytes()

@@ -25,6 +25,9 @@ class Viewer:
         self._words: dict[str, str] = {}
         self._picture: Still | None = None
         self._seen: Still | None = None
+        self._board = self._board_seen = b""
+        self.wants_board = False
+        """Whether the page shows the board."""
         self._answered = True
         self._news = asyncio.Event()
         self._idle = asyncio.Event()  # there is nothing to send
@@ -39,6 +42,12 @@ class Viewer:
         """Send a picture, as soon as the page has shown the last one."""
         self._picture = picture
         self._wake()
+
+    def show_board(self, message: bytes) -> None:
+        """Send the board, if the page shows it and has another one."""
+        if self.wants_board:
+            self._board = message
+            self._wake()
 
     def _wake(self) -> None:
         self._idle.clear()
@@ -74,6 +83,9 @@ class Viewer:
                 while self._words:
                     word = next(iter(self._words))
                     await self._connection.send(f"{word} {self._words.pop(word)}")
+                if self._board != self._board_seen:
+                    self._board_seen = self._board
+                    await self._connection.send(self._board)
                 if self._picture is not self._seen and self._answered:
                     await self._send_picture()
                 if self._picture is self._seen and not self._words:

@@ -16,13 +16,13 @@ from bgi.errors import BGIError
 from bgi.memory.card import Card
 from bgi.monitor import art
 from bgi.monitor.letters import at_moment
-from bgi.monitor.pace import IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
+from bgi.monitor.pace import FACTS_SECONDS, IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
 from bgi.monitor.protocol import encode, receive
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.web.audience import Audience
 from bgi.monitor.web.guard import Guard
 from bgi.monitor.web.pageinputs import PageInputs
-from bgi.monitor.web.updates import Still
+from bgi.monitor.web.updates import Still, board_message
 from bgi.monitor.web.webserver import WebServer, asked_address, asked_port, shown_address
 from bgi.monitor.web.words import Said
 
@@ -50,6 +50,7 @@ class WebChild:
         self._asked = ""  # the number of the picture the program waits for
         self._frame = frame_seconds()
         self._free = 0.0  # no picture before this moment
+        self._facts_due = 0.0  # when the program is to be asked about its screen
         self._lively = self._loop.time()  # when something has happened last
         self._timer = self._loop.call_later(0, self._look)
         self._reactions: dict[str, Callable[..., None]] = {
@@ -88,13 +89,15 @@ class WebChild:
             case "show":
                 self._asked = rest
                 self._look_at(self._free)
-            case "title" | "sound" | "pointer" | "move":
+            case "title" | "sound" | "pointer" | "move" | "lens":
                 self._audience.tell(word, rest)
             case "shape":
                 self._audience.tell(word, rest or _ARROW)
             case "limits":
                 self._inputs.limit(*map(int, rest.split()))
                 self._audience.tell(word, rest)
+            case "facts":
+                self._show_board(rest)
             case "record":
                 self._record(rest)
 
@@ -120,6 +123,7 @@ class WebChild:
             self.end()
             return
         start = self._loop.time()
+        self._ask_for_facts(start)
         changed = self._show_page()
         if changed:
             self._presents += 1
@@ -150,6 +154,21 @@ class WebChild:
         if self._recorder is not None:
             self._recorder.add(now, frame, palette)
         return True
+
+    # The board
+
+    def _ask_for_facts(self, now: float) -> None:
+        if self._audience.wants_board and now >= self._facts_due:
+            self._facts_due = now + FACTS_SECONDS
+            self._send("facts")
+
+    def _show_board(self, facts: str) -> None:
+        from bgi.monitor.board import board  # late: most pages never show it
+
+        if (frame := self._card.frame()) is not None:
+            frame = at_moment(frame, self._loop.time())
+            picture = board(self._card, frame, self._card.colors(), facts.splitlines())
+            self._audience.show_board(board_message(picture))
 
     def _size(self) -> tuple[int, int]:
         return self._size_seen

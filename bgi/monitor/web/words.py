@@ -11,11 +11,12 @@ to the program          meaning
 ``blur``                whoever types looks elsewhere: all keys are up
 ``mouse EVENT X Y HELD``  as in `bgi.monitor.protocol`
 ``wheel CLICKS``        likewise
+``board WANTED``        1: this page shows the board from now on, 0: no longer
 ``type``                this page wants to be the one that types
 ``close``               the user has closed the program
 ======================  ==================================================================
 
-To the page go ``title``, ``sound``, ``pointer``, ``shape``, ``move`` and ``limits`` of
+To the page go ``title``, ``sound``, ``pointer``, ``shape``, ``move``, ``limits`` and ``lens`` of
 `bgi.monitor.protocol`, ``typing`` with ``yes`` or ``no``, and pictures (`bgi.monitor.web.updates`).
 """
 
@@ -39,6 +40,7 @@ _FORMS = {
         ("blur",),
         ("mouse", _NUMBER, _NUMBER, _NUMBER, _NUMBER),
         ("wheel", _NUMBER),
+        ("board", _NUMBER),
         ("type",),
         ("close",),
     )
@@ -52,6 +54,7 @@ _RANGES: dict[str, tuple[range | tuple[int, ...], ...]] = {
     "up": (_MODS,),
     "mouse": (_EVENTS, _PLACES, _PLACES, range(8)),
     "wheel": (range(-20, 21),),
+    "board": (range(2),),
 }
 
 Said = tuple[str, list[int], list[str]]

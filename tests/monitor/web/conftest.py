@@ -7,7 +7,11 @@ import pytest
 from bgi.memory.card import Card
 from bgi.monitor import PageWindow
 from bgi.monitor.web import pagewindow
+from tests.monitor.web.tabs import CANVAS
 from tests.processes import gone, shared_memory
+from tests.skips import IN_CI
+from tools import chromium
+from tools.chromium import Browser, Tab
 
 
 @pytest.fixture(autouse=True)
@@ -36,3 +40,29 @@ def window(card: Card, monkeypatch: pytest.MonkeyPatch) -> Iterator[PageWindow]:
     yield window
     window.close()
     assert gone(window.pid)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    found = chromium.program()
+    if IN_CI or found is None:
+        pytest.skip("needs Chromium")
+    with chromium.running(found) as browser:
+        yield browser
+
+
+@pytest.fixture
+def blank(browser: Browser) -> Iterator[Tab]:
+    """An empty tab."""
+    tab = browser.tab()
+    tab.resize(1000, 700)
+    yield tab
+    tab.close()
+
+
+@pytest.fixture
+def tab(blank: Tab, window: PageWindow) -> Tab:
+    """A tab with the page of `window`."""
+    blank.go(window.url)
+    blank.wait_for(f"{CANVAS}.width > 300")
+    return blank

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from bgi.monitor.web.updates import COLORS, ROWS
+from bgi.monitor.web.updates import BOARD, COLORS, ROWS
 from tests.processes import PATIENCE
 
 
@@ -34,6 +34,7 @@ class Page:
         self.messages: list[bytes] = []
         self.words: dict[str, str] = {}
         self.palette = bytes(768)
+        self.board = b""
         self.pixels: NDArray[Any] = np.zeros((0, 0), np.uint8)
         self.square = False
 
@@ -61,6 +62,9 @@ class Page:
         self.messages.append(message)
         if message[0] == COLORS:
             self.palette = message[1:]
+            return
+        if message[0] == BOARD:
+            self.board = message
             return
         assert message[0] == ROWS
         size, width, height, first, rows, square = struct.unpack_from("<x B 4H B", message)

@@ -3,98 +3,29 @@
 These tests are skipped in CI, and where Chromium is not installed.
 """
 
-import base64
-import contextlib
 import os
 import threading
-from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from bgi.errors import WindowClosed
 from bgi.memory import imagefile
 from bgi.memory.card import NO_CURSOR, Card
-from bgi.memory.matching import shown
 from bgi.monitor import PageWindow, picture
 from bgi.monitor.letters import drawn
 from bgi.monitor.pointer import LEFT, MIDDLE, RIGHT, pressed, released
 from bgi.monitor.web import pagewindow
 from tests.monitor.web.page import addressed
+from tests.monitor.web.tabs import CANVAS, click, on, shows
 from tests.processes import KILL, wait_until
-from tests.skips import IN_CI
-from tools import chromium
 from tools.chromium import Browser, Tab
 
-CANVAS = "document.getElementById('screen')"
 NOTICE = "document.querySelector('#notice:not([hidden]) span')?.textContent"
 CTRL, SHIFT = 2, 8
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    found = chromium.program()
-    if IN_CI or found is None:
-        pytest.skip("needs Chromium")
-    with chromium.running(found) as browser:
-        yield browser
-
-
-@pytest.fixture
-def blank(browser: Browser) -> Iterator[Tab]:
-    """An empty tab."""
-    tab = browser.tab()
-    tab.resize(1000, 700)
-    yield tab
-    tab.close()
-
-
-@pytest.fixture
-def tab(blank: Tab, window: PageWindow) -> Tab:
-    """A tab with the page of `window`."""
-    blank.go(window.url)
-    blank.wait_for(f"{CANVAS}.width > 300")
-    return blank
-
-
-def canvas(tab: Tab) -> NDArray[np.uint8]:
-    """The colours that the page has painted, shape (height, width, 3)."""
-    tab.wait_for(f"{CANVAS}.width > 0")
-    text = tab.evaluate(
-        f"""(() => {{
-            const {{width, height}} = {CANVAS};
-            const data = {CANVAS}.getContext("2d").getImageData(0, 0, width, height).data;
-            let text = `${{height}},${{width}},`;
-            for (const byte of data) text += String.fromCharCode(byte);
-            return btoa(text);
-        }})()"""
-    )
-    data = base64.b64decode(text)
-    height, width, pixels = data.split(b",", 2)
-    return np.frombuffer(pixels, np.uint8).reshape(int(height), int(width), 4)[..., :3]
-
-
-def on(card: Card) -> NDArray[np.uint8]:
-    """The colours that the card shows."""
-    frame = card.frame()
-    assert frame is not None
-    return shown(picture.pixels(frame), picture.colors(card.colors()))
-
-
-def shows(tab: Tab, expected: Callable[[], NDArray[np.uint8]]) -> None:
-    """Wait until the page shows that."""
-
-    def same() -> bool:
-        with contextlib.suppress(RuntimeError):  # the page is being loaded
-            return np.array_equal(canvas(tab), expected())
-        return False
-
-    wait_until(same)
-
 
 # Pictures
 
@@ -211,18 +142,6 @@ def test_what_the_browser_keeps_has_a_stand_in(window: PageWindow, tab: Tab) -> 
     assert [window.read_key() for _ in codes] == codes
     wait_until(lambda: not window.keys.held)
     assert not window.key_waiting()
-
-
-def click(tab: Tab, element: str) -> None:
-    """Click at the middle of an element: a selector, or an expression."""
-    found = (
-        f"document.querySelector('{element}')" if element.startswith(("[data", "#")) else element
-    )
-    tab.wait_for(f"{found}.offsetWidth")
-    box = f"{found}.getBoundingClientRect()"
-    x, y = tab.evaluate(f"[{box}.left + {box}.width / 2, {box}.top + {box}.height / 2]")
-    for kind in ("Pressed", "Released"):
-        tab.mouse(kind, x, y, button="left", clickCount=1, buttons=1 if kind == "Pressed" else 0)
 
 
 def test_the_mouse(window: PageWindow, tab: Tab) -> None:

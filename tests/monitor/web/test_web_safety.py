@@ -237,6 +237,7 @@ def test_all_that_a_page_says_is_understood() -> None:
     assert understood("up 0 KeyA") == ("up", [0], ["KeyA"])
     assert understood("mouse 64 4095 0 7") == ("mouse", [64, 4095, 0, 7], [])
     assert understood("wheel -20") == ("wheel", [-20], [])
+    assert understood("board 1") == ("board", [1], [])
 
 
 MALFORMED = [
@@ -245,7 +246,7 @@ MALFORMED = [
     "down 0 KeyA \n", "down 0 KeyA \0", f"down 0 KeyA A{'a' * 30}", "down ٣ KeyA a",
     "down 1e1 KeyA a", "mouse 3 0 0 0", "mouse 1 -1 0 0", "mouse 1 4096 0 0", "mouse 1 0 0 8",
     "mouse 1 0 0", "mouse 1.5 0 0 0", "wheel 21", "wheel 99999", "wheel", "held 255 a",
-    "type please",
+    "type please", "board", "board 2", "board yes",
 ]  # fmt: skip
 
 
@@ -256,7 +257,8 @@ def test_what_no_page_says_is_not(message: str) -> None:
 
 
 @given(
-    some.text() | some.from_regex(r"(down|up|mouse|wheel|shown) ?[-0-9]* ?\w* ?.*", fullmatch=True)
+    some.text()
+    | some.from_regex(r"(down|up|mouse|wheel|board|shown) ?[-0-9]* ?\w* ?.*", fullmatch=True)
 )
 def test_whatever_is_said_it_is_understood_or_refused(message: str) -> None:
     try:

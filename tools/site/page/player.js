@@ -16,6 +16,8 @@ const LAYOUT = `
     <button data-action="keys" title="A keyboard on the page">Keys</button>
     <button data-action="full" title="The whole screen, and back: F11">Full screen</button>
     <button data-action="save" title="Save the picture: F12">Picture</button>
+    <button data-action="lens" title="Pixels enlarged: Ctrl-F6; around the mouse or the last one set: Ctrl-F8">Lens</button>
+    <button data-action="board" title="Palette, pages, viewport: Ctrl-F7">Board</button>
     <span class="title"></span>
   </div>
   <div class="screens" tabindex="0" aria-label="The screen of the program"></div>
@@ -45,9 +47,17 @@ export class Player {
       keys: () => this.#toggle(".keyboard"),
       full: () => this.#fullScreen(),
       save: () => this.#save(),
+      lens: () => this.windows.enlarge(),
+      board: () => this.windows.toggleBoard(),
     };
     for (const [action, act] of Object.entries(this.actions)) this.#button(action).onclick = act;
-    const hot = { F11: this.actions.full, F12: this.actions.save };
+    const hot = {
+      F11: this.actions.full,
+      F12: this.actions.save,
+      "Control-F6": this.actions.lens,
+      "Control-F7": this.actions.board,
+      "Control-F8": () => this.windows.follow(),
+    };
     const say = (line) => this.machine?.say(line);
     this.windows = new Windows(this.#find(".screens"), this.#find(".keyboard"), say, hot, (title) => {
       this.#find(".title").textContent = title;

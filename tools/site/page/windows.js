@@ -1,7 +1,9 @@
 // The program's windows on the page, each a screen with its pointer; one keyboard for all.
 
+import { Board } from "./board.js";
 import { Keyboard } from "./keyboard.js";
 import { Keys } from "./keys.js";
+import { Lens } from "./lens.js";
 import { Mouse } from "./mouse.js";
 import { Pointer } from "./pointer.js";
 import { Screen } from "./screen.js";
@@ -34,22 +36,41 @@ export class Windows {
   // Pictures
 
   picture(number, bytes) {
-    this.#window(number).screen.receive(bytes);
+    const { board, screen } = this.#window(number);
+    if (!board.receive(bytes)) screen.receive(bytes);
   }
 
   tell(number, word, rest) {
-    const { pointer, room } = this.#window(number);
+    const { board, lens, pointer, room } = this.#window(number);
     const numbers = rest.split(" ").map(Number);
     ({
-      open: () => (room.hidden = false),
+      open: () => {
+        room.hidden = false;
+        board.ask();
+      },
       title: () => (number ? (room.title = rest) : this.titled(rest)),
       sound: () => this.sound.play(Number(rest)),
       pointer: () => pointer.use(rest),
       shape: () => pointer.shape(rest),
       move: () => pointer.move(numbers),
       limits: () => pointer.limit(rest),
+      lens: () => lens.use(...rest.split(" ")),
       close: () => this.#close(number),
     })[word]?.();
+  }
+
+  // What lies over all of them
+
+  enlarge() {
+    for (const { lens } of this.#windows) lens.enlarge();
+  }
+
+  follow() {
+    for (const { lens } of this.#windows) lens.follow();
+  }
+
+  toggleBoard() {
+    for (const { board } of this.#windows) board.toggle();
   }
 
   // The last picture stays, if it is the only window's.
@@ -79,10 +100,12 @@ export class Windows {
     const line = { say: (...words) => this.say([number, ...words].join(" ")) };
     const screen = new Screen(canvas, room, () => {
       pointer.draw();
+      lens.draw();
       line.say("shown");
     });
     const pointer = new Pointer(over, screen);
+    const [lens, board] = [new Lens(screen), new Board(screen, line.say)];
     new Mouse(line, screen, pointer);
-    return { room, screen, pointer };
+    return { board, lens, room, screen, pointer };
   }
 }

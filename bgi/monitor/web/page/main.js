@@ -1,7 +1,9 @@
 // The page: what each part of it is, and what it says to its user.
 
+import { Board } from "./board.js";
 import { Keyboard } from "./keyboard.js";
 import { Keys } from "./keys.js";
+import { Lens } from "./lens.js";
 import { Line } from "./line.js";
 import { Mouse } from "./mouse.js";
 import { Pointer } from "./pointer.js";
@@ -14,6 +16,7 @@ const button = (action) => document.querySelector(`[data-action=${action}]`);
 
 const screen = new Screen($("screen"), $("room"), painted);
 const pointer = new Pointer($("pointer"), screen);
+const lens = new Lens(screen);
 const saving = new Saving(screen, (recording) => {
   button("gif").classList.toggle("on", recording);
   button("gif").textContent = recording ? "Save recording" : "Record";
@@ -30,10 +33,12 @@ const WORDS = {
   shape: (numbers) => pointer.shape(numbers),
   move: (numbers) => pointer.move(numbers.split(" ").map(Number)),
   limits: (numbers) => pointer.limit(numbers),
+  lens: (how) => lens.use(...how.split(" ")),
   typing: (answer) => type(answer === "yes"),
 };
 
-const line = new Line((word, rest) => WORDS[word]?.(rest), (bytes) => screen.receive(bytes), tell);
+const line = new Line((word, rest) => WORDS[word]?.(rest), receive, tell);
+const board = new Board(screen, (...words) => line.say(...words));
 
 const ACTIONS = {
   keys: () => {
@@ -43,6 +48,8 @@ const ACTIONS = {
   full: fullScreen,
   png: () => saving.picture(),
   gif: () => saving.record(),
+  lens: () => lens.enlarge(),
+  board: () => board.toggle(),
   sound: () => sound.toggle(),
   close: () => line.say("close"),
 };
@@ -52,6 +59,9 @@ const keys = new Keys(line, {
   "Alt-Enter": ACTIONS.full,
   F12: ACTIONS.png,
   "Control-F5": ACTIONS.gif,
+  "Control-F6": ACTIONS.lens,
+  "Control-F7": ACTIONS.board,
+  "Control-F8": () => lens.follow(),
 });
 new Keyboard($("keyboard"), keys);
 new Mouse(line, screen, pointer);
@@ -63,9 +73,14 @@ for (const [action, act] of Object.entries(ACTIONS)) {
 }
 if (matchMedia("(pointer: coarse)").matches) ACTIONS.keys();
 
+function receive(bytes) {
+  if (!board.receive(bytes)) screen.receive(bytes);
+}
+
 function painted(first, end) {
   saving.painted(first, end);
   pointer.draw();
+  lens.draw();
   line.say("shown");
 }
 
@@ -90,7 +105,8 @@ function type(mine) {
 function tell(state, why) {
   $("room").classList.toggle("ended", state !== "open");
   keys.active = state === "open" && typing;
-  if (state !== "open") sound.play(0);
+  if (state === "open") board.ask();
+  else sound.play(0);
   const again = ["Try again", () => location.reload()];
   ({
     open: () => notice(),

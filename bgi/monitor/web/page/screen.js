@@ -14,6 +14,7 @@ export class Screen {
   palette = new Uint8Array(768);
   pixels = new Uint8Array(0); // or Uint32Array
   shown = new Uint32Array(0); // what each pixel looks like
+  last = [0, 0]; // the last place, row by row, that the last message has changed
   #colors = new Uint32Array(256).fill(OPAQUE);
   #picture = null;
   #first = 0; // the rows that wait to be painted
@@ -56,9 +57,20 @@ export class Screen {
     ) {
       this.#enter(width, height, size, square);
     }
-    const bytes = new Uint8Array(this.pixels.buffer);
-    bytes.set(new Uint8Array(buffer, HEADER), first * width * size);
+    const [from, news] = [first * width * size, new Uint8Array(buffer, HEADER)];
+    const part = new Uint8Array(this.pixels.buffer, from, news.length);
+    this.#note(from, part, news);
+    part.set(news);
     this.#touch(first, first + rows);
+  }
+
+  // The last row of a message has changed, as a rule: so this is soon found.
+  #note(from, before, after) {
+    let at = after.length - 1;
+    while (at >= 0 && before[at] === after[at]) at--;
+    if (at < 0) return;
+    const pixel = Math.floor((from + at) / this.pixels.BYTES_PER_ELEMENT);
+    this.last = [pixel % this.width, Math.floor(pixel / this.width)];
   }
 
   // Another mode.
@@ -107,7 +119,7 @@ export class Screen {
       // Pixels for which there is room stay crisp; else they blend, so that none is lost.
       imageRendering: width >= this.width && height >= this.height ? "pixelated" : "auto",
     };
-    for (const canvas of this.room.querySelectorAll("canvas")) Object.assign(canvas.style, style);
+    for (const canvas of this.room.querySelectorAll(":scope > canvas")) Object.assign(canvas.style, style);
   }
 
   // The pixel at a place of the window, or the nearest.
