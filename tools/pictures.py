@@ -40,6 +40,10 @@ LEAST_WIDTH, MARGIN = 400, 12
 # What is pressed in a lesson's program, where it is more than the key that ends it.
 LESSON_KEYS = {
     "02_lines": "Up Up Up Up Up Up Up Up Left Left x Esc",
+    "08_curves": "+ 2 Right Up b - b + Esc",
+    "09_colours": "4 p Esc",
+    "10_animation": "Wait1s d w Wait1s t Wait500ms Esc",
+    "11_sprites": "Right m Right Right Down m Left Esc",
 }
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
