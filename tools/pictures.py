@@ -40,6 +40,7 @@ LEAST_WIDTH, MARGIN = 400, 12
 # What is pressed in a lesson's program, where it is more than the key that ends it.
 LESSON_KEYS = {
     "02_lines": "Up Up Up Up Up Up Up Up Left Left x Esc",
+    "03_circles": "Up Up Space Esc",
     "08_curves": "+ 2 Right Up b - b + Esc",
     "09_colours": "4 p Esc",
     "10_animation": "Wait1s d w Wait1s t Wait500ms Esc",
