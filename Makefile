@@ -16,9 +16,10 @@ test: .venv
 lint: .venv
 	PATH="$(CURDIR)/.venv/bin:$$PATH" .ci/lint
 
-pictures: .venv  # and the A-Z page
+pictures: .venv  # and the A-Z page, and the sheet of all calls
 	$(python) -m tools.pictures
 	$(python) -m tools.a_to_z
+	$(python) -m tools.sheet
 
 bench: .venv
 	$(python) -m bench

@@ -8,7 +8,7 @@ import pytest
 
 from bgi.memory.imagefile import load
 from gallery.catalogue import C_NAMES, NAMES
-from tools import a_to_z, pictures
+from tools import a_to_z, pictures, sheet
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -134,6 +134,10 @@ class TestAToZ:
         listed = {re.split(r"[ (`]", line[3:])[0] for line in self.TEXT.splitlines()}
         for name in a_to_z.names(prefix):
             assert {prefix + name, name} & listed, name
+
+
+def test_the_sheet_of_all_calls_is_what_the_package_says():
+    assert sheet.text() == sheet.FILE.read_text("utf-8"), "run: python -m tools.sheet"
 
 
 class TestFrontDoor:
