@@ -32,7 +32,8 @@ class Page(HTMLParser):
         given = {name: value or "" for name, value in attrs}
         if tag == "a":
             self.links.append(given["href"])
-        self.loads += [given[name] for name in ("src",) if name in given]
+        if not given.get("src", "data:").startswith("data:"):  # in the page itself
+            self.loads.append(given["src"])
         self.loads += [given["href"]] if tag == "link" else []
         self.places += [given["id"]] if "id" in given else []
         if given.get("class") == "runs":

@@ -10,7 +10,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from gallery.catalogue import Demo
-from tools import pictures
+from tools import pictures, sheet
 
 DOCS = pictures.DOCS
 ROOT = pictures.ROOT
@@ -32,6 +32,7 @@ def write_docs(folder: Path) -> None:
         file = folder / "docs" / page.relative_to(DOCS).with_suffix(".html")
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(written, encoding="utf-8")
+    shutil.copy(sheet.FILE, folder / "docs")
 
 
 def write_gallery(folder: Path, demos: Iterable[Demo]) -> None:
@@ -132,6 +133,8 @@ def _target(page: Path, link: str) -> str:
     file = (page.parent / path).resolve()
     if file in _FIRST_PAGE:
         return f"{_to_root(page)}index.html"
+    if file == sheet.FILE:
+        return path
     if file in pictures.texts():
         return f"{path.removesuffix('.md')}.html{mark}{place}"
     demo = re.fullmatch(r"\d+_(\w+)\.py", file.name)
