@@ -161,7 +161,7 @@ class Drawing(Pen):
             ink = self._one_color("color", color, self.settings.color)
             self._sides(polygons.edges(polygons.paths(self._shifted(corners))), self._index(ink))
         else:
-            sides, real, _ = spans.edges_many(corners + self._origin)
+            sides, real = spans.edges_many(*self._columns(corners))
             colors = self._colors("color", color, self.settings.color, len(corners))
             owners, which = np.nonzero(real.T)
             x1, y1, x2, y2 = (end[which, owners] for end in sides)

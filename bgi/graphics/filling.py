@@ -13,6 +13,7 @@ from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, length, polygon_points, whole
 from bgi.kernel.state import KERNEL
 from bgi.raster import lines, polygons, spans
+from bgi.raster.lines import Ints, Segments
 from bgi.raster.patterns import EMPTY_ROWS
 from bgi.raster.polygons import Point, Rows
 from bgi.raster.shapes import MOST_CORNERS, SHAPES
@@ -168,7 +169,7 @@ class Filling(Pen):
         else:
             for start in range(0, len(corners), POLYGONS):
                 part = slice(start, start + POLYGONS)
-                self._fill_polygons(corners[part] + self._origin, fills[part], colors[part])
+                self._fill_polygons(self._columns(corners[part]), fills[part], colors[part])
 
     def _fill_polygon(self, points: list[Point], fill: int, color: int) -> None:
         fill, ink = self._fill_index(fill), self._index(color)
@@ -198,20 +199,25 @@ class Filling(Pen):
     def _fill_polygons(
         self, points: NDArray[Any], fills: NDArray[Any], colors: NDArray[Any]
     ) -> None:
-        edges = spans.edges_many(np.concatenate([points, points[:, :1]], axis=1))
-        edges.real[0] |= ~edges.real.any(axis=0)  # a polygon of one point is that point
-        drawn = edges.real & (colors != 0)
-        fills, colors = self._fill_index(fills), self._index(colors)
+        x, y = np.concatenate([points, points[:, :1]], axis=1)
+        fills, inks = self._fill_index(fills), self._index(colors)
         rows, box = self._fill_rows, self.page.box
-        for part, found in spans.fill(edges, box[1], box[3]):
-            owners, side = np.nonzero(drawn[:, part].T)
-            owners += part.start
-            x1, y1, x2, y2 = (end[side, owners] for end in edges.sides)
-            segments = (x1, y1, x2, y2)
-            if self._thick:
-                segments, owners = lines.strands_many(segments), np.repeat(owners, 3)
+        sides, owners = self._outlines(x, y, np.flatnonzero(colors))
+        for part, found in spans.fill(x, y, box[1], box[3]):
+            first, last = owners.searchsorted((part.start, part.stop))
+            x1, y1, x2, y2 = (end[first:last] for end in sides)
             filled = NO_SPANS if rows == EMPTY_ROWS else found
-            self.page.paint(filled, fills, rows, segments, owners, colors, self._dashes)
+            own = owners[first:last]
+            self.page.paint(filled, fills, rows, (x1, y1, x2, y2), own, inks, self._dashes)
+
+    def _outlines(self, x: NDArray[Any], y: NDArray[Any], drawn: Ints) -> tuple[Segments, Ints]:
+        """The lines of those polygons that are outlined, and whose line each of them is."""
+        (x1, y1, x2, y2), real = spans.edges_many(x[:, drawn], y[:, drawn])
+        real[0] |= ~real.any(axis=0)  # a polygon of one point is that point
+        which, side = np.nonzero(real.T)
+        sides = x1[side, which], y1[side, which], x2[side, which], y2[side, which]
+        owners = drawn[which]
+        return (lines.strands_many(sides), np.repeat(owners, 3)) if self._thick else (sides, owners)
 
     # Flood filling
 

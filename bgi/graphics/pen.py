@@ -19,7 +19,6 @@ from bgi.raster import brush, lines, polygons, spans
 from bgi.raster.lines import Segment, Segments
 from bgi.raster.polygons import Path, Point
 from bgi.raster.shortlines import LONGEST, SHORT_LINES
-from bgi.raster.spans import Edges
 from bgi.raster.styledboxes import STYLED_BOXES
 
 FEW = 256
@@ -141,10 +140,8 @@ class Pen(State):
             self.page.fill_rows(polygons.scan(outline, top, bottom), fill, rows)
             return
         x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T[:, :, None]
-        real, single = np.ones(x1.shape, dtype=bool), np.array([len(outline) == 1])
-        edges = Edges((x1, y1, x2, y2), real, single)
-        for _, found in spans.fill(edges, top, bottom):
-            self.page.fill_spans(found, np.array([fill]), rows)
+        found = spans.fill_one((x1, y1, x2, y2), top, bottom)
+        self.page.fill_spans(found, np.array([fill]), rows)
 
     # Arguments of polygons
 
@@ -152,6 +149,12 @@ class Pen(State):
         """Points relative to the viewport as absolute ones."""
         dx, dy = self._origin
         return [(x + dx, y + dy) for x, y in points] if dx or dy else points
+
+    def _columns(self, points: NDArray[Any]) -> NDArray[Any]:
+        """Points (n, k, 2) relative to the viewport as absolute ones, (2, k, n): x and y."""
+        columns = np.ascontiguousarray(points.transpose(2, 1, 0))
+        columns += np.array(self._origin).reshape(2, 1, 1)
+        return columns
 
     def _one_color(self, name: str, value: Numbers | None, default: int) -> int:
         return default if value is None else whole(name, value) & self._given_mask

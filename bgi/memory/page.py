@@ -40,6 +40,8 @@ class Page(Strokes):
         covered = len(spans.owner) and len(owners) and spans.owner[-1] > owners[0]
         last_fill = np.full(self.flat.shape, -1, dtype=np.int32) if covered else None
         self.fill_spans(spans, fills, rows, last_fill)
+        if not len(owners):
+            return
         visible, kept = lines.clip_many(sides, self.box)
         owners = owners[kept]
         for edge, side in self._trace(visible, style):

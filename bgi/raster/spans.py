@@ -18,6 +18,8 @@ CHUNK = 1 << 14
 """Rows of polygons worked on at a time: bounds the memory, whatever the polygons."""
 _FAR = 1 << 24
 """No page is so wide: crossings beyond it are moved there."""
+_QUAD = 5
+"""Points of a closed polygon of four corners."""
 _X_BITS = 26
 """Bits for x + _FAR."""
 
@@ -41,27 +43,24 @@ class Edges(NamedTuple):
     sides: Segments
     real: NDArray[np.bool_]
     """Which of them are lines: the others lie between two paths and have no length."""
-    single: NDArray[np.bool_]
-    """Which polygons consist of one path."""
 
 
-def edges_many(points: NDArray[Any]) -> Edges:
-    """`polygons.edges` for m polygons of k points each, shape (m, k, 2)."""
-    x, y = np.ascontiguousarray(points.transpose(2, 1, 0))
+def edges_many(x: Ints, y: Ints) -> Edges:
+    """`polygons.edges` for m polygons of k points each, shape (k, m)."""
     sides = x[:-1], y[:-1], x[1:], y[1:]
     back = (x == x[0]) & (y == y[0])
-    real, single = np.ones(back[1:].shape, dtype=bool), np.ones(len(points), dtype=bool)
+    real = np.ones(back[1:].shape, dtype=bool)
     # Most polygons return to their first point only at the end: they are one path each.
     parted = np.flatnonzero(back[1:-1].any(axis=0) if len(x) > 2 else back[0])
     if len(parted):
         parts = _split(x[:, parted], y[:, parted])
-        real[:, parted], single[parted] = parts.real, parts.single
+        real[:, parted] = parts.real
         pairs = list(zip(sides, parts.sides, strict=True))
         if any((side[:, parted] != new).any() for side, new in pairs):
             sides = x[:-1].copy(), y[:-1].copy(), x[1:].copy(), y[1:].copy()
             for side, new in zip(sides, parts.sides, strict=True):
                 side[:, parted] = new
-    return Edges(sides, real, single)
+    return Edges(sides, real)
 
 
 def _split(x: Ints, y: Ints) -> Edges:
@@ -69,73 +68,76 @@ def _split(x: Ints, y: Ints) -> Edges:
     start_x, start_y = x[0], y[0]
     x1, y1, x2, y2 = x[:-1].copy(), y[:-1].copy(), x[1:].copy(), y[1:].copy()
     real = np.zeros(x1.shape, dtype=bool)
-    open_path, alone, closed, single = np.ones((4, x.shape[1]), dtype=bool)
-    closed[:] = False
+    open_path, alone = np.ones((2, x.shape[1]), dtype=bool)
     before_x, before_y = x[0], y[0]
     for j in range(1, len(x)):
         back = (x[j] == start_x) & (y[j] == start_y)
         begins = ~open_path
         drawn = open_path & ~(back & alone)
         x1[j - 1], y1[j - 1], real[j - 1] = before_x, before_y, drawn
-        single &= ~(closed & drawn)
-        closed |= drawn & back
         start_x, start_y = np.where(begins, x[j], start_x), np.where(begins, y[j], start_y)
         moved = begins | drawn
         before_x, before_y = np.where(moved, x[j], before_x), np.where(moved, y[j], before_y)
         open_path = begins | ~(back & drawn)
         alone = begins | (alone & ~drawn)
-    return Edges((x1, y1, np.where(real, x2, x1), np.where(real, y2, y1)), real, single)
+    return Edges((x1, y1, np.where(real, x2, x1), np.where(real, y2, y1)), real)
 
 
-def fill(polygons: Edges, top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
-    """Fill closed polygons, from row `top` to row `bottom`.
+def fill(x: Ints, y: Ints, top: int, bottom: int) -> Iterator[tuple[slice, Spans]]:
+    """Fill m closed polygons, from row `top` to row `bottom`; their points (k + 1, m) are int64.
 
-    Their sides are int64, or object for larger coordinates. Yields groups of consecutive polygons:
-    which ones, and their spans.
+    For larger coordinates they are objects. Yields groups of consecutive polygons: which ones, and
+    their spans.
     """
-    x1, y1, x2, y2 = polygons.sides
-    up = y2 < y1
-    upper, lower = np.minimum(y1, y2), np.maximum(y1, y2)
-    walls = _Walls(upper, lower - upper, np.where(up, x2, x1), np.where(up, x1 - x2, x2 - x1), up)
-    highest, lowest = upper.min(axis=0), lower.max(axis=0)
-    # One path that goes down once and up once crosses every row twice.
-    simple = polygons.single & (walls.dy.sum(axis=0) == 2 * (lowest - highest))
-    if y1.dtype == object:
-        simple = np.zeros(len(highest), dtype=bool)
-    first = np.clip(highest, top, bottom + 1).astype(np.int64)
-    rows = np.clip(lowest, top, bottom + 1).astype(np.int64) - first
+    x, y, simple = _simple(x, y)
+    first = np.clip(y.min(axis=0), top, bottom + 1).astype(np.int64)
+    rows = np.clip(y.max(axis=0), top, bottom + 1).astype(np.int64) - first
     twice, often = np.where(simple, rows, 0), np.where(simple, 0, rows)
     for part in grouped(rows, CHUNK):
         numbers = np.arange(part.start, part.stop)
         found = []
         if twice[part].any():
-            found.append(_crossed_twice(walls.of(part), numbers, first[part], twice[part]))
+            sides = x[:-1, part], y[:-1, part], x[1:, part], y[1:, part]
+            found.append(_crossed_twice(sides, numbers, first[part], twice[part]))
         crooked = numbers[often[part] > 0]
         if len(crooked):
-            found.append(_crossed_often(walls.of(crooked), crooked, first[crooked], often[crooked]))
+            sides = edges_many(x[:, crooked], y[:, crooked]).sides
+            found.append(_crossed_often(sides, crooked, first[crooked], often[crooked]))
         yield part, _in_order(found)
 
 
-class _Walls(NamedTuple):
-    """Sides from their upper end down: arrays (k, n)."""
-
-    y: Ints
-    dy: Ints
-    x: Ints
-    dx: Ints
-    up: NDArray[np.bool_]
-    """Whether the polygon's path goes up here."""
-
-    def of(self, which: Ints | slice) -> "_Walls":
-        """The sides of some of the polygons."""
-        y, dy, x, dx = (array[:, which] for array in self[:4])
-        return _Walls(y, dy, x, dx, self.up[:, which])
+def fill_one(sides: Segments, top: int, bottom: int) -> Spans:
+    """The rows that fill one closed polygon of many sides, (k, 1)."""
+    _, y1, _, y2 = sides
+    ends = min(y1.min(), y2.min()), max(y1.max(), y2.max())
+    first, last = np.clip(ends, top, bottom + 1).astype(np.int64)
+    number = np.zeros(1, np.int64)
+    return _crossed_often(sides, number, number + first, number + (last - first))
 
 
-def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
+def _simple(x: Ints, y: Ints) -> tuple[Ints, Ints, NDArray[np.bool_]]:
+    """Polygons, and which of them are one path that goes down once and up once.
+
+    Those of coordinates that are objects are taken as if they were not.
+    """
+    if x.dtype == object or y.dtype == object:
+        return x, y, np.zeros(x.shape[1], dtype=bool)
+    heights = y.max(axis=0) - y.min(axis=0)
+    simple: NDArray[np.bool_] = abs(y[1:] - y[:-1]).sum(axis=0) == 2 * heights
+    # Where a point next to the first one is the first one, too, there are no two paths.
+    parted = ((x[2:-2] == x[0]) & (y[2:-2] == y[0])).any(axis=0)
+    if len(x) == _QUAD and parted.any():
+        # The second path is one side: in rows of its own it is not paired. So it is left out.
+        alone = parted & simple & ((x[1] != x[0]) | (y[1] != y[0]))
+        last_x, last_y = np.where(alone, (x[0], y[0]), (x[3], y[3]))
+        return np.stack((*x[:3], last_x, x[4])), np.stack((*y[:3], last_y, y[4])), simple
+    return x, y, simple & ~parted
+
+
+def _crossed_twice(sides: Segments, owner: Ints, first: Ints, rows: Ints) -> Spans:
     """The spans of polygons whose path goes down once and up once: from the one to the other."""
     total, begin = int(rows.sum()), np.cumsum(rows) - rows
-    row, x = _crossings(walls, first, rows, begin + total * walls.up)
+    row, x = _crossings(sides, first, rows, begin + total * (sides[3] < sides[1]))
     crossings = np.empty(2 * total)
     crossings[row] = x
     down, up = crossings[:total], crossings[total:]
@@ -144,10 +146,10 @@ def _crossed_twice(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans
     return Spans(y, left.astype(np.int64), right.astype(np.int64), repeat(owner, rows))
 
 
-def _crossed_often(walls: _Walls, owner: Ints, first: Ints, rows: Ints) -> Spans:
+def _crossed_often(sides: Segments, owner: Ints, first: Ints, rows: Ints) -> Spans:
     """The spans of any polygons: the crossings of each row sorted and paired."""
     begin = np.cumsum(rows) - rows
-    row, place = _crossings(walls, first, rows, begin)
+    row, place = _crossings(sides, first, rows, begin)
     x = np.clip(np.floor(place), -_FAR, _FAR).astype(np.int64)
     ordered = np.sort((row << _X_BITS) + (x + _FAR))
     row, x = ordered >> _X_BITS, (ordered & ((1 << _X_BITS) - 1)) - _FAR
@@ -169,31 +171,37 @@ def _in_order(found: list[Spans]) -> Spans:
 
 
 def _crossings(
-    walls: _Walls, first: Ints, rows: Ints, number: Ints
+    sides: Segments, first: Ints, rows: Ints, number: Ints
 ) -> tuple[Ints, NDArray[np.float64]]:
     """Where sides cross the rows of their polygons, side after side: the row and x.
 
     `first` is each polygon's first row on the page, `number` the same row in the result, where the
     rows of all polygons follow one another. The crossing is the floor of x.
     """
-    start = np.clip(walls.y, first, first + rows).astype(np.int64, copy=False)
-    end = np.clip(walls.y + walls.dy, first, first + rows).astype(np.int64, copy=False)
-    count = (end - start).ravel()
-    side = repeat(np.arange(len(count)), count)
-    row = (start.ravel() - (np.cumsum(count) - count)).take(side)
-    row += np.arange(len(side))
-    below = row - walls.y.ravel().take(side)
-    if below.dtype == object:
-        across = toward_zero(below * walls.dx.ravel().take(side), walls.dy.ravel().take(side))
-        x = np.clip(across + walls.x.ravel().take(side), -_FAR, _FAR).astype(np.float64)
-    else:
-        # Truncated toward zero: the floor where a side goes to the right, the ceiling to the left.
-        # The quotient is a multiple of 1 / dy. Half of that is added, so that an error of floating
-        # point never crosses a whole number (coordinates are below 2**24).
-        dy = np.maximum(walls.dy, 1).astype(np.float64)
-        rounding = np.where(walls.dx < 0, 1 - 0.5 / dy, 0.5 / dy)
-        x = (walls.dx / dy).ravel().take(side)
-        x *= below
-        x += (walls.x + rounding).ravel().take(side)
-    row += np.broadcast_to(number - first, walls.y.shape).ravel().take(side)
+    x1, y1, x2, y2 = sides
+    dx, dy = x2 - x1, y2 - y1
+    start = np.clip(np.minimum(y1, y2), first, first + rows)
+    count = np.clip(np.maximum(y1, y2), first, first + rows) - start
+    counts = count.ravel().astype(np.int64, copy=False)
+    begin = (np.cumsum(counts) - counts).reshape(count.shape)
+
+    def of_each(values: NDArray[Any]) -> NDArray[Any]:
+        return repeat(values.ravel(), counts)
+
+    step = np.arange(counts.sum())
+    row = of_each(start - begin + (number - first)).astype(np.int64, copy=False) + step
+    if dy.dtype == object:
+        up = dy < 0
+        below = of_each(start - begin - np.where(up, y2, y1)) + step
+        across = toward_zero(below * of_each(dx), of_each(dy))
+        far = np.clip(across + of_each(np.where(up, x2, x1)), -_FAR, _FAR)
+        return row, far.astype(np.float64)
+    # Truncated toward zero: the floor where a side goes to the right, the ceiling to the left. The
+    # quotient is a multiple of 1 / dy. Half of that is added, so that an error of floating point
+    # never crosses a whole number (coordinates are below 2**24).
+    height = dy + (dy == 0)
+    slope, rounding = dx / height, 0.5 / height
+    rounding = np.where(slope < 0, 1 - abs(rounding), abs(rounding))
+    x = of_each(slope) * step
+    x += of_each((start - y1 - begin) * slope + (x1 + rounding))
     return row, x

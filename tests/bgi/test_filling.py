@@ -1,7 +1,7 @@
 """Filled shapes: boxes and polygons, in every pattern."""
 
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 from math import trunc
 
 import numpy as np
@@ -112,6 +112,18 @@ def test_fillpoly_leaves_the_rows_between_paths_empty(new_screen):
         assert screen.page.array[:10, 20:30].all()
         assert not screen.page.array[10:20].any()
         assert not screen.page.array[:10, 10:20].any()
+
+
+def test_quads_of_a_few_points_are_filled_like_single_ones(new_screen):
+    """Also if they come back to their first corner midway: then the fourth side is a path."""
+    one, many = new_screen(), new_screen()
+    shapes = list(product([(0, 0), (5, 3), (2, 7), (7, 6), (0, 9)], repeat=4))
+    left, top = np.arange(len(shapes)) % 60 * 10, np.arange(len(shapes)) // 60 * 10
+    quads = np.array(shapes) + np.stack((left, top), axis=-1)[:, None]
+    for quad in quads.tolist():
+        one.fillpoly(quad, color=0)
+    many.fillpoly(quads, color=0)
+    assert (one.page.array == many.page.array).all()
 
 
 def test_a_pattern_of_ones_own(vga):
