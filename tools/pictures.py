@@ -45,6 +45,8 @@ LESSON_KEYS = {
     "09_colours": "4 p Esc",
     "10_animation": "Wait1s d w Wait1s t Wait500ms Esc",
     "11_sprites": "Right m Right Right Down m Left Esc",
+    "12_space": "Right Right Right + p Down p Right Down - Esc",
+    "13_hidden": "2 3 4 Esc",
 }
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
