@@ -11,7 +11,8 @@ from __future__ import annotations
 import functools
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import NoReturn, cast
 
@@ -22,11 +23,12 @@ from bgi.graphics import Graphics
 from bgi.graphics.slow import Slow, parse_rate
 from bgi.graphics.strict import Strict
 from bgi.kernel.modes import GraphicsMode
-from bgi.kernel.state import KERNEL
+from bgi.kernel.state import KERNEL, Result
 from bgi.kernel.textmodes import TEXT_MODES, TextMode
 from bgi.memory.card import CAPACITY, Card
-from bgi.monitor import Monitor, choose, moment
+from bgi.monitor import Headless, Monitor, choose, moment
 from bgi.monitor.ending import at_a_prompt, follow_program, interrupt
+from bgi.monitor.plan import Plan
 from bgi.monitor.protocol import TITLE
 
 
@@ -133,6 +135,8 @@ number: int = NO_CURRENT_WINDOW
 """Which screen is current."""
 _open: dict[int, Adapter] = {}
 """The open screens by number; one in text mode or without its window is open, too."""
+_aside: dict[int, Adapter] | None = None
+"""The same while others take their place: see `aside`."""
 
 
 _parents: list[Adapter] = []
@@ -345,6 +349,29 @@ def be_slow(rate: int, stepping: bool) -> tuple[int, bool]:
     return before
 
 
+@contextmanager
+def aside(mode: GraphicsMode, guard: Callable[[Graphics], object]) -> Iterator[Graphics]:
+    """Put all screens aside meanwhile: calls reach a new one, behind its `guard`, that nobody sees.
+
+    So a function can be tried while its program draws. Whatever it opens is closed at the end.
+    """
+    global _open, _aside, number
+    kept = _open, _aside, number, KERNEL.typed, KERNEL.result
+    card = _card_for(mode)
+    adapter = Adapter(card, Headless(title="", card=card, plan=Plan()))
+    adapter.enter_graphics(mode)
+    assert adapter.graphics is not None
+    adapter.reached = cast(Graphics, guard(adapter.graphics))
+    _open, _aside, number, KERNEL.result = {0: adapter}, _aside or _open, 0, Result()
+    _aim()
+    try:
+        yield adapter.graphics
+    finally:
+        close_screen()
+        _open, _aside, number, KERNEL.typed, KERNEL.result = kept
+        _aim()
+
+
 def _aim() -> None:
     """Have the calls reach what belongs to the current screen."""
     global screen, crt
@@ -361,7 +388,7 @@ def _aim() -> None:
 
 def _lost(which: int, error: BGIError) -> None:
     """A window is gone (called by its monitor, mostly by a thread of it): the next call says so."""
-    gone = _open.get(which)
+    gone = (_open if _aside is None else _aside).get(which)
     if gone is not None:
         gone.reached = cast(Graphics, _Absent(lambda: error.with_traceback(None)))
         gone.lost = error
