@@ -62,7 +62,7 @@ _HELPERS: dict[str, Any] = {
     **{name: getattr(memory, name) for name in ("Pointer", "MemberPlace", "CharMember", "Record")},
     **{name: getattr(memory, name) for name in ("typed", "room", "put", "put_member", "index")},
     **{"single": single, "remainder": remainder, "number": number, "destroy": destroy},
-    **{"int": int, "float": float, "range": range, "max": max, "bytearray": bytearray},
+    **{"int": int, "float": float, "range": range, "bytearray": bytearray},
     **{"Union": memory.Union, "shared": memory.shared},
     "Plain": Plain,
     "__builtins__": {
@@ -105,12 +105,14 @@ class Runnable:
         cplusplus = any(one.lower().endswith((".cpp", ".cc", ".cxx")) for one in paths)
         try:
             self.emitted = self._understood(texts, cplusplus, defined)
-        except CErrors:
+        except CErrors as found:
             try:  # many a .C was compiled as C++
                 self.emitted = self._understood(texts, not cplusplus, defined)
                 return
             except CErrors:
                 pass
+            for error in found.errors:
+                error.source = self.line(error.place)
             raise
 
     def _understood(
@@ -191,7 +193,9 @@ class Runnable:
         except (BGIError, KeyboardInterrupt):
             raise
         except Exception as error:
-            raise explained(error, self.emitted.places) from error
+            fault = explained(error, self.emitted.places)
+            fault.source = self.line(fault.place)
+            raise fault from error
         finally:
             sys.setrecursionlimit(before)
 

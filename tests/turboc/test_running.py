@@ -73,20 +73,43 @@ def test_loops_leave_their_variable_behind(result):
     assert result("int i = 0; do { if (i == 3) continue; r += i; } while (++i < 5);") == 7
 
 
+@pytest.mark.parametrize(
+    "loop, expected",
+    [
+        ("for (i = 9; i >= 0; i -= 3)", (9630, -3)),
+        ("for (i = 4; i > 0; i--)", (4321, 0)),
+        ("for (i = 1; i <= n - 1; i = i + 2)", (13, 5)),
+        ("for (i = 1; i < n * 2; i += n)", (16, 11)),
+        ("for (i = 5; i < 5; i += 2)", (0, 5)),
+        ("for (i = 1; i < n; i += zero) if (r > 1000) break; else", (1111, 1)),
+        ("for (i = 1; i < n; i += 2) if (i == 3) break; else", (1, 3)),
+        ("for (i = 32766; i > 0; i++) if (i > 9)", (360427, -32768)),
+        ("for (i = -32767; i < 0; i--) if (i < -9)", (-360438, 32767)),
+        ("for (i = n; i > 0; i -= 2) if (i == 3) n = 9; else", (51, -1)),
+        ("for (u = 3; u >= 0 && k++ < 5; u--) i = u; if (0)", (0, -1)),
+    ],
+)
+def test_loops_count_in_any_steps(result, loop, expected):
+    declared = "int i, n = 5, zero = 0, k = 0; unsigned u;"
+    assert result(f"{declared} {loop} r = r * 10 + i;") == expected[0]
+    assert result(f"{declared} {loop} r = r * 10 + i; r = i;") == expected[1]
+
+
 def test_an_empty_loop_is_waited_for_and_not_run(tmp_path, monkeypatch):
     waited: list[int] = []
     monkeypatch.setattr("bgi.dos.delay", waited.append)
     text = """int busy = 1;
-        void main() { int i; for (i = 1; i <= 30000; i++) { ; } for (i = 0; i < 9; i++) busy += i; }
+        void main() { int i; for (i = 1; i <= 30000; i++) { ; } for (i = 0; i < 9; i++) busy += i;
+            for (i = 30000; i > 0; i--); for (i = 5; i < 5; i++); }
     """
     made = program(tmp_path, text)
     names = made.load(Session())
     for _ in range(2):
         names["main"]()
-    assert waited == [7, 7]  # 8 cycles at 33 MHz, 60,000 times
+    assert waited == [7, 7, 7, 8]  # 8 cycles at 33 MHz, 30,000 times each
     names = made.load(Session(script_name="A"))
     names["main"]()
-    assert waited == [7, 7]
+    assert waited == [7, 7, 7, 8]
 
 
 def test_switch_falls_through_and_continues_the_loop_around(result):

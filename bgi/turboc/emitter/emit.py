@@ -46,7 +46,6 @@ HELPERS = [
     "int",
     "float",
     "range",
-    "max",
     "bytearray",
     "Union",
     "shared",

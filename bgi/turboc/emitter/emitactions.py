@@ -32,7 +32,6 @@ from bgi.turboc.checker.types import VOID, StructType, Symbol, innermost
 from bgi.turboc.emitter.emitvalues import ValueWriter
 from bgi.turboc.emitter.gotos import Machine
 from bgi.turboc.emitter.loops import Counted, counted, is_empty
-from bgi.turboc.emitter.wrapping import cut
 from bgi.turboc.faults import NOWHERE, Place
 
 
@@ -154,7 +153,7 @@ class ActionWriter(ValueWriter):
         if act.first is not None:
             self.act(act.first)
         self.place = act.place
-        range_ = counted(act)
+        range_ = counted(act, self.known)
         if range_ is not None:
             self._counted(act, range_)
             return
@@ -171,28 +170,29 @@ class ActionWriter(ValueWriter):
         self.around.pop()
 
     def _counted(self, act: Loop, range_: Counted) -> None:
-        """A loop that counts in steps of one up to what stays the same: a range."""
-        name = self.name_of(range_.variable)
-        start, end = range_.start, range_.end
-        limit = self.value(end) if not range_.inclusive else f"{self.value(end)} + 1"
-        if is_empty(act.body):  # a program of its day waits so
+        """A loop that counts up or down to what stays the same: a range."""
+        variable, step = range_.variable, self.value(range_.step)
+        name, end = self.name_of(variable), self.value(range_.end)
+        limit = f"{end} {'+' if range_.up else '-'} 1" if range_.inclusive else end
+        left = f"{name} {'<' if range_.up else '>'} {limit}"
+        if is_empty(act.body) and step == "1":  # a program of its day waits so
             self.used.add("busy")
-            self.line(f"busy({limit} - {name})")
-            self.line(f"{name} = max({name}, {limit})")
+            with self.block(f"if {left}:"):
+                self.line(f"busy({limit} - {name})" if range_.up else f"busy({name} - ({limit}))")
+                self.line(f"{name} = {limit}")
             return
-        low = cut(start, self.known)[0] if start is not None else range_.low
-        high = cut(end, self.known)[1] - (not range_.inclusive)
-        before = self.known.get(range_.variable)
-        self.known[range_.variable] = low, max(low, high)
+        before = self.known.get(variable)
+        self.known[variable] = range_.inside
         self.around.append(Inside())
-        with self.block(f"for {name} in range({name}, {limit}):"):
+        steps = f", {'-' * (not range_.up)}{step}" if step != "1" or not range_.up else ""
+        with self.block(f"for {name} in range({name}, {limit}{steps}):"):
             self.act(act.body)
         self.around.pop()
-        del self.known[range_.variable]
+        del self.known[variable]
         if before is not None:
-            self.known[range_.variable] = before
+            self.known[variable] = before
         with self.block("else:"):
-            self.line(f"{name} = max({name}, {limit})")
+            self.line(f"if {left}: {name} {'+' if range_.up else '-'}= {step}")
 
     def _leave(self, act: Leave) -> None:
         self.line("break")

@@ -35,7 +35,8 @@ from bgi.turboc.checker.types import (
 )
 from bgi.turboc.emitter.wrapping import Interval, cut
 
-_SIMPLE = re.compile(r"[A-Za-z_][\w.]*|\d+")
+SIMPLE = re.compile(r"[A-Za-z_][\w.]*|\d+")
+"""What may be written twice: it costs next to nothing."""
 
 
 class Spot(NamedTuple):
@@ -197,7 +198,7 @@ class Places:
         changed: dict[str, str] = {}
         if spot.memory:
             for text in (spot.memory, spot.at):
-                if not _SIMPLE.fullmatch(text):
+                if not SIMPLE.fullmatch(text):
                     name = self.temporary()
                     before.append((name, text))
                     changed[text] = name
@@ -227,7 +228,7 @@ class Places:
             return memory, at
         if isinstance(value.type, ArrayType):
             return memory, at
-        if _SIMPLE.fullmatch(at):
+        if SIMPLE.fullmatch(at):
             return memory, f"{at} if {at} >= 0 else index({at})"
         name = self.temporary()
         return memory, f"{name} if ({name} := {at}) >= 0 else index({name})"

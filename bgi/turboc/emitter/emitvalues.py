@@ -54,7 +54,7 @@ from bgi.turboc.checker.types import (
 )
 from bgi.turboc.emitter.effects import order_matters
 from bgi.turboc.emitter.emitobjects import Objects
-from bgi.turboc.emitter.emitplaces import Spot, is_cell
+from bgi.turboc.emitter.emitplaces import SIMPLE, Spot, is_cell
 from bgi.turboc.emitter.layouts import layout, pointed
 from bgi.turboc.emitter.wrapping import cut, fits, interval, wrapped
 
@@ -266,8 +266,12 @@ class ValueWriter(Objects):
         low, high = type_.low, type_.high
         if isinstance(value.target, Variable):
             low, high = self.known.get(value.target.symbol, (low, high))
-        inside = fits((low + value.by, high + value.by), type_)
-        return text if inside else wrapped(text, type_)
+        if fits((low + value.by, high + value.by), type_):
+            return text
+        if not SIMPLE.fullmatch(spot.read):
+            return wrapped(text, type_)
+        last, first = (type_.high, type_.low)[:: value.by]
+        return f"{text} if {spot.read} != {last} else {first}"
 
     def sequence(self, spot: Spot, items: list[str], which: int = -1) -> str:
         """Values in order, one of which counts, after what a place needs first."""

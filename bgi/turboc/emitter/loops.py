@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from bgi.turboc.checker.typed import (
     Act,
     Advance,
+    Arithmetic,
     Comparison,
     Compute,
     Constant,
@@ -15,53 +16,106 @@ from bgi.turboc.checker.typed import (
     Define,
     Group,
     Loop,
+    Present,
+    Signed,
     Store,
     Update,
     Value,
     Variable,
 )
-from bgi.turboc.checker.types import IntType, Symbol
+from bgi.turboc.checker.types import INT, IntType, Symbol
+from bgi.turboc.emitter.wrapping import Interval, cut
 
 
 class Counted(NamedTuple):
-    """A loop over a variable, up to an end that stays the same."""
+    """A loop over a variable in steps of the same size, up or down to an end that stays."""
 
     variable: Symbol
     start: Value | None
     end: Value
     inclusive: bool
-    low: int
-    """The smallest number that the variable can begin with."""
+    step: Value
+    """How much is added or taken away; always more than 0."""
+    up: bool
+    inside: Interval
+    """Where the variable lies in the body."""
 
 
-def counted(loop: Loop) -> Counted | None:
-    """A loop as a range: `for (i = a; i < b; i++)`, where neither changes in the body."""
-    step, condition = loop.step, loop.condition
-    if loop.late or not isinstance(step, Advance) or step.by != 1:
+def counted(loop: Loop, known: dict[Symbol, Interval]) -> Counted | None:
+    """A loop as a range: `for (i = a; i < b; i += c)`, where the body changes none of them.
+
+    Args:
+        loop: the loop.
+        known: where variables lie.
+    """
+    variable, step, up = _step(loop.step)
+    condition = loop.condition
+    if variable is None or step is None or loop.late or not isinstance(condition, Comparison):
         return None
-    if not isinstance(condition, Comparison) or condition.op not in ("<", "<="):
+    if condition.op not in (("<", "<=") if up else (">", ">=")):
         return None
-    variable = _local(step.target)
-    left, end = condition.left, condition.right
-    if isinstance(left, Converted):
-        left = left.operand
-    if variable is None or _local(left) is not variable or not isinstance(end.type, IntType):
+    end, inclusive = condition.right, condition.op[-1] == "="
+    changed = {variable, *written(loop.body)}
+    if variable in written(loop.body) or not _counts(condition.left, variable):
         return None
-    type_ = variable.type
+    if not (_stays(end, changed) and _stays(step, changed)):
+        return None
+    type_, start = variable.type, _start(loop, variable)
     assert isinstance(type_, IntType)
-    inclusive = condition.op == "<="
-    known = isinstance(end, Constant)
-    plain = end.operand if isinstance(end, Converted) else end
-    if not known and (_local(plain) is None or inclusive or end.type != type_):
+    begin = (type_.low, type_.high) if start is None else cut(start, known)
+    low, high = cut(end, known)
+    if up:
+        inside = begin[0], max(begin[0], high - (not inclusive))
+    else:
+        inside = min(begin[1], low + (not inclusive)), begin[1]
+    least, most = cut(step, known)
+    fits = inside[1] + most <= type_.high if up else type_.low <= inside[0] - most
+    if least <= 0 or not fits:
         return None
-    if isinstance(end, Constant) and not type_.low <= end.value <= type_.high - inclusive:
-        return None
-    if condition.left.type != type_ and not (type_.bits == 8 and known):
-        return None
-    changed = set(written(loop.body))
-    if variable in changed or (not known and _local(plain) in changed):
-        return None
-    return Counted(variable, _start(loop, variable), end, inclusive, type_.low)
+    return Counted(variable, start, end, inclusive, step, up, inside)
+
+
+def _step(step: Value | None) -> tuple[Symbol | None, Value | None, bool]:
+    """The variable that a loop counts with, the size of its steps, and whether it counts up."""
+    if isinstance(step, Advance):
+        return _local(step.target), Constant(step.place, INT, 1), step.by > 0
+    if isinstance(step, (Update, Store)):
+        result = _inner(step.result if isinstance(step, Update) else step.value)
+        if isinstance(result, Arithmetic) and result.op in "+-":
+            variable, before = _local(step.target), _inner(result.left)
+            if isinstance(before, Present) or _local(before) is variable:
+                return variable, result.right, result.op == "+"
+    return None, None, True
+
+
+def _inner(value: Value) -> Value:
+    """A whole number without the types that it was converted to."""
+    while isinstance(value, Converted) and isinstance(value.operand.type, IntType):
+        value = value.operand
+    return value
+
+
+def _counts(value: Value, variable: Symbol) -> bool:
+    """Whether the value that is compared is the variable's own."""
+    type_, own = value.type, variable.type
+    assert isinstance(own, IntType)
+    same = _local(_inner(value)) is variable and isinstance(type_, IntType)
+    return same and isinstance(type_, IntType) and type_.low <= own.low and own.high <= type_.high
+
+
+def _stays(value: Value, changed: set[Symbol]) -> bool:
+    """Whether a whole number is the same in every turn."""
+    match value:
+        case Constant():
+            return isinstance(value.type, IntType)
+        case Variable():
+            symbol = _local(value)
+            return symbol is not None and symbol not in changed
+        case Arithmetic(op=op, left=left, right=right):
+            return op not in "/%" and _stays(left, changed) and _stays(right, changed)
+        case Converted(operand=operand) | Signed(operand=operand):
+            return isinstance(value.type, IntType) and _stays(operand, changed)
+    return False
 
 
 def is_empty(act: Act) -> bool:

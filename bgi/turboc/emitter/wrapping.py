@@ -117,4 +117,4 @@ def wrapped(text: str, type_: IntType) -> str:
     if not type_.signed:
         return f"({text} & {mask})"
     half = 1 << type_.bits - 1
-    return f"(({text} + {half} & {mask}) - {half})"
+    return f"(({text} & {mask} ^ {half}) - {half})"
