@@ -45,7 +45,7 @@ def run_c(
         program = Runnable(path, macros, folders, others)
     except CErrors as found:
         for error in found.errors:
-            _tell(error, path, _line([path, *others], error))
+            _tell(error, path)
         return 1
     except OSError as error:
         print(f"bgi: {error.filename} cannot be read: {error.strerror}", file=sys.stderr)
@@ -60,7 +60,7 @@ def run_c(
     try:
         return program.run(session, arguments[len(others) :])
     except CError as error:
-        _tell(error, path, program.line(error.place))
+        _tell(error, path)
         return 3
 
 
@@ -69,17 +69,7 @@ def is_source(file: str) -> bool:
     return file.lower().endswith(ENDINGS)
 
 
-def _tell(error: CError, path: str, line: str) -> None:
+def _tell(error: CError, path: str) -> None:
     """Print an error, with its line."""
     where = "" if error.place.line else f"{os.path.basename(path)}: "
-    print(where + shown(error, line), file=sys.stderr)
-
-
-def _line(paths: Sequence[str], error: CError) -> str:
-    """The line of a source that an error is in."""
-    for folder in (Path(path).parent for path in paths):
-        file = folder / error.place.file
-        if file.is_file():
-            lines = file.read_bytes().decode("cp437").splitlines()
-            return lines[error.place.line - 1] if 0 < error.place.line <= len(lines) else ""
-    return ""
+    print(where + shown(error), file=sys.stderr)

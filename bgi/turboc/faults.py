@@ -21,6 +21,8 @@ class CError(Exception):
         super().__init__(message)
         self.place = place
         self.message = message
+        self.source = ""
+        """The line that the place is in, where somebody has looked it up."""
 
     def __str__(self) -> str:
         file, line, column = self.place
@@ -35,8 +37,8 @@ class CErrors(Exception):
         self.errors = errors
 
 
-def shown(error: CError, source_line: str) -> str:
+def shown(error: CError) -> str:
     """An error with the line that it is in, and a caret under the place."""
-    text = source_line.expandtabs(8).rstrip()
-    before = source_line[: max(error.place.column - 1, 0)].expandtabs(8)
+    text = error.source.expandtabs(8).rstrip()
+    before = error.source[: max(error.place.column - 1, 0)].expandtabs(8)
     return f"{error}\n    {text}\n    {' ' * len(before)}^" if text else str(error)

@@ -33,6 +33,17 @@ def test_a_check_shows_each_line_with_a_caret(source, capsys):
     assert main(["--check", source("void main() { }")]) == 0
 
 
+def test_the_line_of_an_included_file_is_shown(source, tmp_path, capsys):
+    (tmp_path / "more").mkdir()
+    (tmp_path / "more" / "MINE.H").write_text("\nint x = y;\n")
+    assert main(["-I", str(tmp_path / "more"), source('#include "mine.h"\nvoid main() { }')]) == 1
+    assert capsys.readouterr().err.splitlines() == [
+        "mine.h:2:9: there is no y",
+        "    int x = y;",
+        "            ^",
+    ]
+
+
 def test_a_fault_is_one_message(source, capsys):
     path = source("void main(int argc, char *argv[])\n{\n  int a = 10 / (argc - 2);\n}\n")
     assert main([path, "word"]) == 3

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from bgi.turboc.faults import CErrors
 from bgi.turboc.grammar.parser import parse
+from bgi.turboc.grammar.tree import FunctionDef
 from bgi.turboc.words.preprocess import preprocess
 from tests.turboc.sketch import HEADERS, TYPES, body, declared, sketch, tree, value
 
@@ -143,6 +144,24 @@ def test_a_variable_of_the_name_of_a_type_hides_it():
         body("int T; T = 3; T * 2;")
         == "(Declaration (Declarator T <int> - - False -)) (= T 3); (* T 2);"
     )
+
+
+@pytest.mark.parametrize("cplusplus", [False, True])
+def test_it_hides_it_in_its_block_only(cplusplus):
+    text = "typedef int T; int f(int T) { if (T > 3) T += 2; return T; } T x; "
+    text += "int g() { { T T; T++; } { T y; } return (T) x; }"
+    first, second = (one for one in tree(text, cplusplus).items if isinstance(one, FunctionDef))
+    assert sketch(first.body) == "(Block (If (> T 3) (+= T 2); -) (Return T))"
+    assert sketch(second.body) == (
+        "(Block (Block (Declaration (Declarator T <T> - - False -)) (IncDec ++ T True);)"
+        " (Block (Declaration (Declarator y <T> - - False -))) (Return (Cast <T> x)))"
+    )
+
+
+def test_a_member_may_have_the_name_of_a_type():
+    text = "typedef int T; struct A { int T; int get() { return T > 3 ? T : -T; } };"
+    method = tree(text, cplusplus=True).items[1].members[1]
+    assert sketch(method.body) == "(Block (Return (Conditional (> T 3) T (- T))))"
 
 
 @pytest.mark.parametrize(

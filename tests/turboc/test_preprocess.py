@@ -54,14 +54,13 @@ def test_a_backslash_joins_lines():
     ],
 )
 def test_what_is_no_word(text, message):
-    with pytest.raises(CError) as caught:
-        list(tokens(text, "T.C"))
-    assert str(caught.value) == message
+    assert words(text) == ("", [message])
 
 
 def test_an_error_is_shown_with_its_line():
     error = CError(Place("T.C", 3, 6), "no")
-    assert shown(error, "\tx = @;") == "T.C:3:6: no\n            x = @;\n                ^"
+    error.source = "\tx = @;"
+    assert shown(error) == "T.C:3:6: no\n            x = @;\n                ^"
 
 
 def test_macros():
@@ -108,10 +107,15 @@ def test_parts_of_conditions():
     assert words("#if 0\n#if 1\na\n#else\nb\n#endif\n#endif\nc") == ("c", [])
 
 
+def test_what_is_left_out_need_be_no_words():
+    assert words("#if 0\nit's @ \"quoted\n#endif\n#ifdef A\n#error don't\n#endif\nx") == ("x", [])
+
+
 def test_files_beside_the_program():
     beside = {"point.h": '#include "deep.h"\nint p;', "deep.h": "int d;"}
     assert words('#include "point.h"\n#include <stdio.h>\nx', beside) == ("int d ; int p ; x", [])
-    found = preprocess("#include <STDIO.H>", "T.C", {"stdio.h": ""}, {}.get, {})
+    assert words('#include "C:\\LIB\\POINT.H"', {"POINT.H": "int p;"}) == ("int p ;", [])
+    found = preprocess("#include <SYS\\STDIO.H>", "T.C", {"stdio.h": ""}, {}.get, {})
     assert found.headers == {"stdio.h"}
 
 

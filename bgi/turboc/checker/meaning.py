@@ -117,7 +117,7 @@ class Meaning:
     def count(self, node: nodes.Expr) -> int:
         """The number of an array's elements."""
         count = self.constant(node)
-        if not 0 <= count <= MOST_ELEMENTS:
+        if not 0 < count <= MOST_ELEMENTS:
             raise CError(node.place, f"an array cannot have {count} elements")
         return count
 
@@ -162,5 +162,5 @@ class Meaning:
 
     def _guess(self, name: str, names: set[str] | list[str]) -> str:
         near = [one for one in names if one.lower() == name.lower()]
-        near = near or get_close_matches(name, sorted(names), 1, 0.75)
+        near = near or get_close_matches(name, sorted(names), 1, 0.8)
         return f": did you mean {near[0]}?" if near else ""

@@ -116,7 +116,8 @@ class Classes(Statements):
                 initializers.append((name, self._arguments()))
                 if not self.accept(","):
                     break
-        body: Block = self.block()
+        with self.inside(_parameters(type_)):
+            body: Block = self.block()
         storage = said.storage if said.storage != "extern" else ""
         owner = found.scope or cls
         return FunctionDef(
@@ -135,3 +136,9 @@ class Classes(Statements):
             for name in names
         )
         return TypeName(place, type_.base, (FunctionPart(parameters), *type_.parts[1:]))
+
+
+def _parameters(type_: TypeName) -> list[str]:
+    """The names of a function's parameters."""
+    part = type_.parts[0] if type_.parts else None
+    return [one.name for one in part.parameters] if isinstance(part, FunctionPart) else []

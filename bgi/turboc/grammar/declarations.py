@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import NamedTuple
 
 from bgi.turboc.faults import CError, Place
@@ -60,6 +62,20 @@ class Declarations(Expressions):
     """Names that are types."""
     made_up: int
 
+    @contextmanager
+    def inside(self, hiding: Iterable[str] = ()) -> Iterator[None]:
+        """A block: what it makes of names is over behind it.
+
+        Args:
+            hiding: names that are no types in it, since its function's parameters are called so.
+        """
+        before = set(self.types)
+        self.types.difference_update(hiding)
+        try:
+            yield
+        finally:
+            self.types = before
+
     def starts_type(self, ahead: int = 0) -> bool:
         """Whether a type begins with the word so many after the next."""
         word = self.ahead(ahead)
@@ -82,9 +98,9 @@ class Declarations(Expressions):
         if not self.starts_type():
             return False
         if word.text in self.types or word.text in _TYPE_WORDS:
-            if after.text in (".", "->", "=", "++", "--", "[", "::"):
-                return False
-            return after.text != "(" or self._declares_in_brackets()
+            if after.text == "(":
+                return self._declares_in_brackets()
+            return after.kind == "name" or after.text in ("*", "&", ";")
         return True
 
     def _declares_in_brackets(self) -> bool:
@@ -314,7 +330,7 @@ class Declarations(Expressions):
     def _declared(self, said: Specifiers, found: Named_) -> Declarator:
         if said.storage == "typedef":
             self.types.add(found.name)
-        elif found.name in self.types and not self.cplusplus:
+        else:
             self.types.discard(found.name)  # a variable of that name hides the type
         type_ = TypeName(said.place, said.base, found.parts)
         initial, arguments = None, None

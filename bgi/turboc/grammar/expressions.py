@@ -233,12 +233,13 @@ class Expressions(Stream):
                 if word.text == "this"
                 else IntLit(word.place, int(word.text == "true"))
             )
-        if word.kind == "name" and self.starts_type() and not self._scoped_name():
+        if word.kind == "name" and self.starts_type() and self._makes():
             return self._construct()
         return self.qualified_name()
 
-    def _scoped_name(self) -> bool:
-        return self.ahead(1).text == "::"
+    def _makes(self) -> bool:
+        """Whether a type here makes a value, and is no name of a variable as well."""
+        return self.word.text in RESERVED or self.ahead(1).text == "("
 
     def _construct(self) -> Expr:
         """`int(x)`, `Point(1, 2)`."""

@@ -32,7 +32,7 @@ class Statements(Declarations):
     def block(self) -> Block:
         """`{ ... }`"""
         place = self.expect("{").place
-        with self.deeper():
+        with self.deeper(), self.inside():
             items: list[Stmt] = []
             while not self.at("}") and self.word.kind != "end":
                 items += self.statement_or_error()

@@ -11,7 +11,7 @@ class Token(NamedTuple):
     """A word; `first` if it begins a line, `spaced` if there is white space before it."""
 
     kind: str
-    """`name number character string operator`, or `end` after the last."""
+    """`name number character string operator`, `wrong` for what is none of them, `end` at last."""
     text: str
     place: Place
     first: bool = False
@@ -28,23 +28,23 @@ _TOKEN = re.compile(
     | (?P<string>"(?:\\.|[^"\\\n])*") | (?P<character>'(?:\\.|[^'\\\n])+')
     | (?P<number>0[xX][0-9a-fA-F]+[uUlL]* | (?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUlLfF]*)
     | (?P<name>[A-Za-z_][A-Za-z_0-9]*)
-    | (?P<operator>\.\.\.|<<=|>>=|->\*|->|::|\+\+|--|&&|\|\||[-+*/%&|^<>=!]=|<<|>>|\#\#
-        |[-+*/%&|^~!<>=?:;,.()\[\]{}\#])
+    | (?P<operator>(?!/\*)(?:\.\.\.|<<=|>>=|->\*|->|::|\+\+|--|&&|\|\||[-+*/%&|^<>=!]=|<<|>>|\#\#
+        |[-+*/%&|^~!<>=?:;,.()\[\]{}\#]))
+    | (?P<wrong>/\*.*|.)
     """,
     re.VERBOSE | re.DOTALL,
 )
 
 
 def tokens(text: str, file: str) -> Iterator[Token]:
-    """The words of a text, without comments; CError at what is none."""
+    """The words of a text, without comments."""
     text = text.replace("\\\n", SPLICE)
     line, start, position = 1, 0, 0
     first, spaced = True, False
     while position < len(text):
         found = _TOKEN.match(text, position)
         place = Place(file, line, position - start + 1)
-        if found is None or (text.startswith("/*", position) and found.lastgroup != "comment"):
-            raise CError(place, _what_is_wrong(text, position))
+        assert found is not None
         kind, word, position = found.lastgroup or "", found[0], found.end()
         if kind in ("newline", "splice", "comment", "white"):
             lines = word.count("\n") + word.count(SPLICE)
@@ -55,14 +55,15 @@ def tokens(text: str, file: str) -> Iterator[Token]:
             spaced = True
             continue
         yield Token(kind, word.replace(SPLICE, ""), place, first, spaced)
-        line += word.count(SPLICE)
+        line += word.count(SPLICE) + word.count("\n")
         first = spaced = False
     yield Token("end", "", Place(file, line, 1), first=True)
 
 
-def _what_is_wrong(text: str, position: int) -> str:
-    if text.startswith("/*", position):
-        return "this comment never ends"
-    if text[position] in "\"'":
-        return f"there is no second {text[position]} in this line"
-    return f"nothing in C begins with {text[position]!r}"
+def objection(word: Token) -> CError:
+    """What there is to say of a word that is wrong."""
+    if word.text[:2] == "/*":
+        return CError(word.place, "this comment never ends")
+    if word.text in "\"'":
+        return CError(word.place, f"there is no second {word.text} in this line")
+    return CError(word.place, f"nothing in C begins with {word.text!r}")

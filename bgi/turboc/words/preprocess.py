@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from bgi.turboc.faults import CError, Place
 from bgi.turboc.words.conditions import evaluate
-from bgi.turboc.words.lexer import Token, tokens
+from bgi.turboc.words.lexer import Token, objection, tokens
 
 MOST_TOKENS = 500_000
 """Words of a program, and of its macros as they are expanded."""
@@ -69,12 +69,9 @@ class _Preprocessor:
     def read(self, text: str, file: str, depth: int) -> None:
         """Follow the directives of one file; its words go to the output."""
         self._depth = depth
-        try:
-            words = list(islice(tokens(text, file), MOST_TOKENS))[:-1]
-            if len(words) == MOST_TOKENS - 1:
-                raise CError(words[-1].place, "this file is too long")
-        except CError as error:
-            self.errors.append(error)
+        words = list(islice(tokens(text, file), MOST_TOKENS))[:-1]
+        if len(words) == MOST_TOKENS - 1:
+            self.errors.append(CError(words[-1].place, "this file is too long"))
             return
         # For each #if that is open: whether its part is read, and whether one of its parts was.
         self._parts: list[list[bool]] = []
@@ -97,7 +94,11 @@ class _Preprocessor:
 
     def _emit(self, words: list[Token]) -> None:
         try:
-            self.output += self.expand(words)
+            expanded = list(self.expand(words))
+            for word in expanded:
+                if word.kind == "wrong":
+                    raise objection(word)
+            self.output += expanded
         except CError as error:
             self.errors.append(error)
 
@@ -141,8 +142,8 @@ class _Preprocessor:
         words = rest if rest and rest[0].kind == "string" else list(self.expand(rest))
         text = "".join(word.text for word in words)
         local = text[:1] == '"'
-        name = text[1:-1].replace("\\\\", "\\").rpartition("\\")[2] if local else text[1:-1]
-        header = name.lower().rpartition("/")[2]
+        name = text[1:-1].replace("\\", "/").rpartition("/")[2]
+        header = name.lower()
         beside = self._load(name) if local or header not in self._headers else None
         if beside is not None:
             if self._depth >= DEEPEST:
