@@ -5,6 +5,7 @@ Skipped in CI, without Chromium, and until `python -m tools.site` has fetched wh
 
 import base64
 import contextlib
+import json
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -283,6 +284,20 @@ def test_a_block_of_the_documentation_runs(browser: Browser, address: str) -> No
     expected = load(pictures.PICTURES / name).rgba[..., :3]
     height, width, _ = expected.shape
     assert (canvas(tab)[:height, :width] == expected).all()
+    broken = json.dumps("bar(1, 2, 3, 4)\ncircle(1)\n")
+    tab.evaluate(f"document.querySelector('pre.runs').textContent = {broken}")
+    tab.evaluate("document.querySelector('pre.runs + .bar button').click()")
+    wait(tab, f"{ENDED} === '1'")
+    assert tab.evaluate("document.querySelector('pre .wrong').textContent") == "circle(1)"
+    tab.close()
+
+
+def test_a_program_in_c_of_the_documentation_runs(browser: Browser, address: str) -> None:
+    tab = visit(browser, f"{address}docs/from-c.html")
+    tab.evaluate("document.querySelector('pre.runs[data-name$=C] + .bar button').click()")
+    wait(tab, f"{CANVAS}?.width === 640")
+    tab.press("Escape", "Escape")
+    assert printed(tab) == ""
     tab.close()
 
 

@@ -89,13 +89,16 @@ def _html(page: Path, text: str) -> str:
                 before += code
             elif pictures.NAMES_STAY.search(text):
                 before += f"{code}initgraph(VGA, VGAHI)\n"
+        elif token.type == "fence" and token.info == "c":
+            token.type, token.content = "html_block", _program("", token.content, "PROGRAM.C")
         _lead(page, token.children or [])
     rendered: str = markdown.renderer.render(tokens, markdown.options, {})
     return rendered
 
 
-def _program(before: str, code: str) -> str:
-    return f'<pre class="runs" data-before="{html.escape(before)}">{html.escape(code)}</pre>\n'
+def _program(before: str, code: str, name: str = "program.py") -> str:
+    given = f'data-name="{name}" data-before="{html.escape(before)}"'
+    return f'<pre class="runs" {given}>{html.escape(code)}</pre>\n'
 
 
 def _before(text: str) -> str:

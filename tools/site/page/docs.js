@@ -5,7 +5,6 @@ import { Player } from "./player.js";
 import { packed } from "./share.js";
 import { SITE } from "./contents.js";
 
-const NAME = "program.py";
 let player = null;
 let chosen = null;
 
@@ -20,7 +19,8 @@ for (const block of document.querySelectorAll("pre.runs")) {
   });
   run.onclick = () => play(block, bar);
   edit.onclick = async () => {
-    location.href = new URL(`index.html${await packed(NAME, programOf(block))}`, import.meta.url).href;
+    const link = await packed(block.dataset.name, programOf(block));
+    location.href = new URL(`index.html${link}`, import.meta.url).href;
   };
   block.after(bar);
 }
@@ -30,9 +30,23 @@ function programOf(block) {
   return block.dataset.before + block.textContent;
 }
 
+// Show that something is wrong in a line of the program; 0: nowhere.
+function mark(line) {
+  for (const wrong of document.querySelectorAll("pre .wrong")) wrong.replaceWith(wrong.textContent);
+  const lines = chosen.textContent.split("\n");
+  const number = line - chosen.dataset.before.split("\n").length;
+  if (!line || number < 0) return;
+  const wrong = document.createElement("span");
+  wrong.className = "wrong";
+  wrong.textContent = lines[number];
+  const [above, below] = [lines.slice(0, number), lines.slice(number + 1)].map((part) => part.join("\n"));
+  chosen.replaceChildren(number ? `${above}\n` : "", wrong, `\n${below}`);
+}
+
 async function play(block, bar) {
   chosen = block;
-  player ??= new Player(document.createElement("section"), SITE, () => ({ name: NAME, program: programOf(chosen) }));
+  const asked = () => ({ name: chosen.dataset.name, program: programOf(chosen) });
+  player ??= new Player(document.createElement("section"), SITE, asked, mark);
   bar.after(player.place);
   await player.run();
 }

@@ -8,6 +8,7 @@ import { Windows } from "./windows.js";
 // Where a program's line is named: Python's way, and that of a compiler for C.
 const WHERE = /program.*?", line (\d+)|File ".*\/programs\/[^"]*", line (\d+)|^[\w-]+\.\w+:(\d+):\d+: /gm;
 const LINES_KEPT = 1000;
+const SHORT = 500; // milliseconds that a program runs which asks for no keys
 
 const LAYOUT = `
   <div class="bar">
@@ -31,6 +32,7 @@ export class Player {
   machine = null; // from the first Run on
   #text = "";
   #shared;
+  #keysDue = 0;
 
   // `program()` is asked for {name, program} at Run; `wrong(line)` is told where an error is.
   constructor(place, site, program, wrong = () => {}) {
@@ -64,7 +66,6 @@ export class Player {
     });
     this.#find(".answer").onsubmit = (event) => this.#answer(event);
     this.#listenWhileLookedAt();
-    if (matchMedia("(pointer: coarse)").matches) this.#toggle(".keyboard");
   }
 
   #reactions() {
@@ -103,10 +104,12 @@ export class Player {
   }
 
   #begin() {
+    this.#keysDue = setTimeout(() => this.#offerKeys(), SHORT);
     this.windows.keys.active = document.activeElement === this.#find(".screens");
   }
 
   #end(status) {
+    clearTimeout(this.#keysDue);
     this.windows.keys.active = false;
     this.#button("stop").disabled = true;
     this.place.classList.remove("running");
@@ -116,6 +119,11 @@ export class Player {
     const places = status === 0 ? [] : [...this.#text.matchAll(WHERE)];
     const last = places.at(-1);
     this.wrong(last ? Number(last.slice(1).find(Boolean)) : 0);
+  }
+
+  // A phone has no other keyboard.
+  #offerKeys() {
+    if (matchMedia("(pointer: coarse)").matches) this.#find(".keyboard").hidden = false;
   }
 
   #load(part) {
