@@ -20,6 +20,8 @@ FAR = 1 << 40
 """Nothing of a figure so far away can be seen; below it int64 holds its points."""
 KEPT_INKS = 1 << 21
 """Bytes of patterns in colours that a page keeps."""
+OWNER = np.dtype(np.int16)
+"""Of the numbers of polygons that are filled together: numpy sets pixels fast in their own type."""
 _NEAR = 32
 """Pixels around a flood's seed: most floods stay within."""
 _WIDE = 64
@@ -126,14 +128,14 @@ class Areas(Pixmap):
         """
         left, right = np.maximum(spans.left, self._left), np.minimum(spans.right, self._right)
         lengths, starts = np.maximum(right - left + 1, 0), spans.y * self.width + left
-        inks = fills.astype(self.flat.dtype)[spans.owner]
+        inks, owners = fills.astype(self.flat.dtype)[spans.owner], spans.owner.astype(OWNER)
         for part in grouped(lengths, CHUNK):
             length = lengths[part]
             place = repeat(starts[part] - (np.cumsum(length) - length), length)
             place += np.arange(len(place))
             self.flat[place] = self._patterned(place, repeat(inks[part], length), rows)
             if last is not None:
-                last[place] = repeat(spans.owner[part], length)
+                last[place] = repeat(owners[part], length)
 
     def fill_figure(self, x: int, y: int, rows: FigureRows, color: int, pattern: bytes) -> None:
         """The rows of a figure at x, y, in a fill pattern."""

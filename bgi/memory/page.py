@@ -8,6 +8,7 @@ from operator import and_
 
 import numpy as np
 
+from bgi.memory.areas import OWNER
 from bgi.memory.pixmap import Pixels
 from bgi.memory.strokes import Strokes
 from bgi.raster import lines
@@ -38,20 +39,19 @@ class Page(Strokes):
         `fills` and `colors` are the polygons' colours, `owners` says whose side each segment is.
         """
         covered = len(spans.owner) and len(owners) and spans.owner[-1] > owners[0]
-        last_fill = np.full(self.flat.shape, -1, dtype=np.int32) if covered else None
+        last_fill = np.full(self.flat.shape, -1, dtype=OWNER) if covered else None
         self.fill_spans(spans, fills, rows, last_fill)
         if not len(owners):
             return
         visible, kept = lines.clip_many(sides, self.box)
-        owners = owners[kept]
+        owners, inks = owners[kept].astype(OWNER), colors.astype(self.flat.dtype)
         for edge, side in self._trace(visible, style):
             drawn_by = owners[side]
-            if (
-                last_fill is not None
-            ):  # a pixel of a side stays unless a later polygon's fill covers it
+            if last_fill is not None:
+                # A pixel of a side stays unless a later polygon's fill covers it.
                 survives = last_fill[edge] <= drawn_by
                 edge, drawn_by = edge[survives], drawn_by[survives]
-            self.flat[edge] = colors[drawn_by]
+            self.flat[edge] = inks[drawn_by]
 
     # Curves
 

@@ -15,6 +15,7 @@ from bgi.memory import backend
 from bgi.memory.boxes import overlap, within
 from bgi.memory.operators import OPERATORS
 from bgi.memory.scrolling import scroll
+from bgi.raster.arrays import keep_memory
 from bgi.raster.lines import Box, Ints
 
 Mask = NDArray[np.bool_]
@@ -50,6 +51,7 @@ class Pixmap:
         A pixel is a palette index of one byte, or four bytes that hold an index or an RGB colour:
         to a page both are just numbers.
         """
+        keep_memory()
         self.width = width
         self.height = height
         self.flat: Pixels = np.frombuffer(memory, dtype=_PIXEL[pixel_bytes])

@@ -171,11 +171,12 @@ class Strokes(Areas):
                 for x1, y1, x2, y2, color in each:
                     self.styled_line(x1, y1, x2, y2, color, style, xor)
             return
+        inks = colors.astype(self.flat.dtype)
         for place, which in self._trace(visible, style):
             if xor:  # where lines cross, both count
-                np.bitwise_xor.at(self.flat, place, colors[which].astype(self.flat.dtype))
+                np.bitwise_xor.at(self.flat, place, inks[which])
             else:
-                self.flat[place] = colors[which]
+                self.flat[place] = inks[which]
 
     def _trace(self, segments: Segments, style: Dashes) -> Iterator[tuple[Ints, Ints]]:
         """The pixels of many lines within the clipping box, and which line each belongs to."""
