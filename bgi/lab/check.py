@@ -20,7 +20,8 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-from bgi.lab import ovals, showing, straight
+from bgi.lab import lineclips, matrices, ovals, polygonclips, showing, spaceviews, splines, straight
+from bgi.lab.answered import AnswerExercise
 from bgi.lab.drawn import DrawingExercise
 from bgi.lab.verdict import Verdict
 
@@ -63,7 +64,123 @@ def ellipse(function: Function, exactly: bool = False) -> Verdict:
     return _checked(ovals.ellipse(exactly), function)
 
 
-def _checked(exercise: DrawingExercise, function: Function) -> Verdict:
+def clip_line(function: Function) -> Verdict:
+    """Check a function that cuts a line at the edges of a window.
+
+    Args:
+        function: my_clip(x1, y1, x2, y2, left, top, right, bottom); returns (x1, y1, x2, y2), not
+            rounded, of the part inside, or None. The edges belong to the window; top is less than
+            bottom, as y grows downwards.
+    """
+    return _checked(lineclips.EXERCISE, function)
+
+
+def clip_polygon(function: Function) -> Verdict:
+    """Check a function that cuts a polygon at the edges of a window.
+
+    Args:
+        function: my_clip(points, left, top, right, bottom); points are [(x, y), ...], the last one
+            joined to the first; returns such a list, which is empty if nothing is inside. What lies
+            on an edge may be in it or not, as Sutherland and Hodgman's algorithm has it.
+    """
+    return _checked(polygonclips.EXERCISE, function)
+
+
+def translation(function: Function) -> Verdict:
+    """Check a function that returns the matrix that moves everything.
+
+    Args:
+        function: my_translation(tx, ty); a matrix is three rows of three numbers, for points that
+            are columns: what moves stands in the last column.
+    """
+    return _checked(matrices.EXERCISES["translation"], function)
+
+
+def rotation(function: Function) -> Verdict:
+    """Check a function that returns the matrix that turns everything around 0, 0.
+
+    Args:
+        function: my_rotation(degrees); a positive angle turns the x axis toward the y axis: the
+            rows begin cos, -sin and sin, cos. Where y grows downwards that is clockwise.
+    """
+    return _checked(matrices.EXERCISES["rotation"], function)
+
+
+def scaling(function: Function) -> Verdict:
+    """Check a function that returns the matrix that stretches everything, away from 0, 0.
+
+    Args:
+        function: my_scaling(sx, sy).
+    """
+    return _checked(matrices.EXERCISES["scaling"], function)
+
+
+def about(function: Function) -> Verdict:
+    """Check a function that returns the matrix that turns everything about a point.
+
+    Args:
+        function: my_turn(degrees, x, y); the sense of the angle is that of `rotation`.
+    """
+    return _checked(matrices.EXERCISES["about"], function)
+
+
+def window_to_viewport(function: Function) -> Verdict:
+    """Check a function that returns the matrix from a window in the plane to one on the screen.
+
+    Args:
+        function: my_map(window, viewport), both (left, top, right, bottom): left goes to left, top
+            to top.
+    """
+    return _checked(matrices.EXERCISES["window_to_viewport"], function)
+
+
+def bezier(function: Function) -> Verdict:
+    """Check a function that returns a point of a cubic Bézier curve.
+
+    Args:
+        function: my_bezier(points, t); four points [(x, y), ...], t is 0..1; returns (x, y).
+    """
+    return _checked(splines.EXERCISES["bezier"], function)
+
+
+def casteljau(function: Function) -> Verdict:
+    """Check a function that returns a point of a Bézier curve of any number of points.
+
+    Args:
+        function: my_casteljau(points, t); two points or more, t is 0..1; returns (x, y).
+    """
+    return _checked(splines.EXERCISES["casteljau"], function)
+
+
+def bspline(function: Function) -> Verdict:
+    """Check a function that returns a point of a uniform cubic B-spline.
+
+    Args:
+        function: my_spline(points, t); the four points of one segment, t is 0..1; returns (x, y).
+    """
+    return _checked(splines.EXERCISES["bspline"], function)
+
+
+def projection(function: Function) -> Verdict:
+    """Check a function that projects a point of space onto the screen, in perspective.
+
+    Args:
+        function: my_projection(x, y, z, distance); the screen is the plane z = 0, the eye is
+            `distance` before its point 0, 0, and z grows away from the eye; returns (x, y).
+    """
+    return _checked(spaceviews.EXERCISES["projection"], function)
+
+
+def paper(function: Function) -> Verdict:
+    """Check a function that maps a point of space to the screen by the paper's equation 1.
+
+    Args:
+        function: my_map(x, y, z, theta, x0, y0); theta in radians; returns (x', y').
+    """
+    return _checked(spaceviews.EXERCISES["paper"], function)
+
+
+def _checked(exercise: DrawingExercise | AnswerExercise, function: Function) -> Verdict:
     verdict = exercise.check(function)
     showing.show(verdict, show, save)
     return verdict

@@ -22,10 +22,6 @@ from bgi.lab.verdict import Verdict
 
 Place = tuple[int, int]
 
-HOPELESS = {"endless", "deep", "forbidden"}
-ENOUGH = 2
-"""So many such troubles are enough: no more is tried."""
-
 
 @dataclass(frozen=True)
 class Trial:
@@ -123,7 +119,7 @@ class DrawingExercise:
         if not evidence.faults:
             return Verdict(self.name, True, len(trials), len(trials))
         first = evidence.faults[0]
-        name = getattr(function, "__name__", "the function")
+        name = supervision.name_of(function)
         shown = (first.got != first.expected).any()
         return Verdict(
             self.name,
@@ -146,16 +142,15 @@ class DrawingExercise:
                     continue
                 evidence.faults.append(fault)
                 trouble = fault.outcome.trouble
-                hopeless += trouble is not None and trouble.kind in HOPELESS
-                if hopeless >= ENOUGH:
+                hopeless += trouble is not None and trouble.kind in supervision.HOPELESS
+                if hopeless >= supervision.ENOUGH:
                     break
         return evidence
 
     def _reason(self, fault: Fault) -> str:
         trouble = fault.outcome.trouble
         words = trouble.words if trouble else _counted(fault)
-        printed = fault.outcome.printed.strip()
-        return f"{words}; it printed: {brief(printed)}" if printed else words
+        return words + supervision.quoted(fault.outcome)
 
     def _hint(self, evidence: Evidence) -> str:
         first = evidence.faults[0]
@@ -163,17 +158,9 @@ class DrawingExercise:
         if trouble is not None:
             if trouble.kind == "forbidden":
                 return self.instead
-            return self.troubles(first) or USUAL[trouble.kind]
+            return self.troubles(first) or supervision.USUAL[trouble.kind]
         plain = Evidence([f for f in evidence.faults if not f.outcome.trouble], evidence.right)
         return next((hint for seems, hint in self.signs if seems(plain)), "")
-
-
-USUAL = {
-    "exception": "Python says what it could not do, and in which line",
-    "endless": "look at the condition of the loop: does something change that it asks for?",
-    "deep": "a function that calls itself must stop somewhere",
-}
-"""The hints for troubles, unless an exercise knows better."""
 
 
 def _try(function: Callable[..., Any], trial: Trial, screen: Graphics) -> Fault | None:
@@ -186,7 +173,7 @@ def _try(function: Callable[..., Any], trial: Trial, screen: Graphics) -> Fault 
         screen.graphdefaults()
     ground = screen.page.array.copy()
     guard = current.screen
-    outcome = supervision.call(function, _copied(trial.arguments))
+    outcome = supervision.call(function, supervision.copied(trial.arguments))
     if current.screen is not guard:
         words = "it opens or closes the screen"
         outcome = Outcome(trouble=Trouble("forbidden", words, NotAllowed("initgraph")))
@@ -198,11 +185,6 @@ def _try(function: Callable[..., Any], trial: Trial, screen: Graphics) -> Fault 
     if outcome.trouble is None and np.array_equal(got, expected):
         return None
     return Fault(trial, outcome, ground, got, expected)
-
-
-def _copied(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The same, for a function that changes a list that it is given."""
-    return tuple(list(one) if isinstance(one, list) else one for one in arguments)
 
 
 def _counted(fault: Fault) -> str:
@@ -288,7 +270,8 @@ COMMON: list[Sign] = [
 
 
 @functools.cache
-def _reference() -> Graphics:
+def reference() -> Graphics:
+    """A screen to draw on what is expected."""
     return Graphics(_mode())
 
 
@@ -304,7 +287,7 @@ def by_bgi(
     """As `Trial.expected`: exactly what a call of bgi draws."""
 
     def expected(got: Pixels) -> Pixels:
-        screen = _reference()
+        screen = reference()
         screen.cleardevice()
         if before is not None:
             before(screen)

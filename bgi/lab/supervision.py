@@ -32,6 +32,18 @@ PRINTED = 2000
 """Characters that are kept of what it prints."""
 
 
+HOPELESS = {"endless", "deep", "forbidden"}
+ENOUGH = 2
+"""So many such troubles are enough: no more is tried."""
+
+USUAL = {
+    "exception": "Python says what it could not do, and in which line",
+    "endless": "look at the condition of the loop: does something change that it asks for?",
+    "deep": "a function that calls itself must stop somewhere",
+}
+"""The hints for troubles, unless an exercise knows better."""
+
+
 class Stopped(BaseException):
     """Ends a function from outside; no `except Exception` holds it up."""
 
@@ -228,3 +240,19 @@ def misfit(function: Callable[..., Any], names: tuple[str, ...]) -> str:
     except ValueError:  # it does not tell
         return ""
     return ""
+
+
+def name_of(function: Callable[..., Any]) -> str:
+    """What a function is called."""
+    return str(getattr(function, "__name__", "the function"))
+
+
+def copied(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The same arguments, for a function that may change a list that it is given."""
+    return tuple(list(one) if isinstance(one, list) else one for one in arguments)
+
+
+def quoted(outcome: Outcome) -> str:
+    """What was printed, to be told at the end of a reason."""
+    printed = outcome.printed.strip()
+    return f"; it printed: {brief(printed)}" if printed else ""
