@@ -59,6 +59,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _say_what_there_is()
         return 0
     words = options.program[options.program[:1] == ["--"] :]  # which may end the options
+    words = _port_behind(words, options)
     program, *rest = words or parser.error("which program? Give its file, or --info")
     if options.record and (reason := missing()):
         parser.error(reason)
@@ -77,7 +78,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     planned = [os.path.abspath(given[name]) for name in ("shot", "record") if name in given]
     try:
         with on_screen() if options.console else nullcontext():
-            status = _run_c(program, rest, options) if is_c else _run(program, rest)
+            status = _run_c(program, rest, options) if is_c else _run(program, rest, options)
             current.end()
     except KeyboardInterrupt:
         if not is_c:
@@ -87,6 +88,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         current.close_screen()
         unwritten = [file for file in planned if not _was_written(file)]
     return status or int(bool(unwritten))
+
+
+def _port_behind(words: list[str], options: argparse.Namespace) -> list[str]:
+    """`PROGRAM.C --port PROGRAM.py`: this option may stand behind a C program, too."""
+    if not words or not words[0].lower().endswith(ENDINGS):
+        return words
+    for place, word in enumerate(words):
+        name, equals, file = word.partition("=")
+        if name == "--port" and (equals or place + 1 < len(words)):
+            options.port = file if equals else words[place + 1]
+            return words[:place] + words[place + 1 + (not equals) :]
+    return words
 
 
 def _told(value: object) -> str:
@@ -164,6 +177,7 @@ def _add_c(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--script", metavar="A|B|FILE", help="keys and a clock that are always the same"
     )
+    group.add_argument("--port", metavar="PROGRAM.py", help="write it in Python, and do not run it")
     group.add_argument("--files", action="store_true", help="let it write files in its folder")
 
 
@@ -181,6 +195,7 @@ def _run_c(program: str, arguments: list[str], options: argparse.Namespace) -> i
             trace=options.trace,
             script=options.script,
             files=options.files,
+            port=options.port,
         )
     except BaseException as error:
         if isinstance(error, KeyboardInterrupt) and not ending.reason(error):
@@ -210,31 +225,54 @@ def _seconds(text: str) -> float:
         raise argparse.ArgumentTypeError(str(error)) from None
 
 
-def _run(program: str, arguments: list[str]) -> int:
+def _run(program: str, arguments: list[str], options: argparse.Namespace) -> int:
     """Run a program as `python PROGRAM.py` would; returns the exit status."""
+    watched = options.trace or options.script
     sys.argv = [program, *arguments]
     if not sys.flags.safe_path:  # otherwise Python puts no folder there
         sys.path[0] = str(Path(program).resolve().parent)
     try:
-        _execute(program)
+        return _run_watched(program, options) if watched else _execute(program)
     except SystemExit as end:
         return _status(end)
     except BaseException as error:
         if isinstance(error, KeyboardInterrupt) and not ending.reason(error):
             raise  # Ctrl-C: a status of its own
         return _report(error)
-    return 0
 
 
-def _execute(program: str) -> None:
+def _run_watched(program: str, options: argparse.Namespace) -> int:
+    """Run a program under a script, or with a trace; returns the exit status."""
+    from bgi.turboc.runtime.session import Session  # late, as few programs need it
+    from bgi.turboc.watching import watched
+
+    def main() -> int:
+        try:
+            return _execute(program)
+        except SystemExit as end:
+            return _status(end)
+
+    trace = Path(options.trace) if options.trace else None
+    try:
+        session = Session(trace, options.script, Path(program).parent, options.files)
+    except ValueError as error:
+        print(f"bgi: {error}", file=sys.stderr)
+        return 2
+    with watched(session):
+        return session.run(main)
+
+
+def _execute(program: str) -> int:
+    """Run a program; returns 0, if it does not end itself."""
     if os.path.isdir(program):
         runpy.run_path(program, run_name="__main__")
-        return
+        return 0
     module = sys.modules["__main__"] = ModuleType("__main__")
     module.__file__ = os.path.abspath(program)
     with io.open_code(program) as file:
         code = compile(file.read(), module.__file__, "exec", dont_inherit=True)
     exec(code, module.__dict__)
+    return 0
 
 
 def _report(error: BaseException) -> int:

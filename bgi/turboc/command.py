@@ -9,8 +9,10 @@ from itertools import takewhile
 from pathlib import Path
 
 from bgi.turboc.faults import CError, CErrors, shown
+from bgi.turboc.port.porting import ported
 from bgi.turboc.running import Runnable
 from bgi.turboc.runtime.session import Session
+from bgi.turboc.understanding import Understood
 
 ENDINGS = (".c", ".cpp", ".cc", ".cxx")
 """Of the files that are C programs, in any case."""
@@ -26,6 +28,7 @@ def run_c(
     trace: str | None = None,
     script: str | None = None,
     files: bool = False,
+    port: str | None = None,
 ) -> int:
     """Run a C program; returns the exit status.
 
@@ -38,10 +41,13 @@ def run_c(
         trace: a file that gets a line for each call of the library.
         script: A, B or a file, for keys, typed text, a mouse and a clock that are always the same.
         files: whether it may write files in its folder.
+        port: a file that gets the program in Python, instead of it being run.
     """
     macros = dict((f"{one}=1" if "=" not in one else one).split("=", 1) for one in defined)
     others = [*takewhile(is_source, arguments)]
     try:
+        if port is not None:
+            return _port(Understood(path, macros, folders, others), port)
         program = Runnable(path, macros, folders, others)
     except CErrors as found:
         for error in found.errors:
@@ -62,6 +68,24 @@ def run_c(
     except CError as error:
         _tell(error, path)
         return 3
+
+
+def _port(program: Understood, file: str) -> int:
+    """Write a program in Python; returns the exit status."""
+    if not file.lower().endswith((".py", ".pyw")):
+        print("bgi: --port writes Python: give it a name that ends in .py", file=sys.stderr)
+        return 2
+    try:
+        text = ported(program)
+    except CErrors as found:
+        raise program.with_lines(found) from None
+    try:
+        Path(file).write_text(text, encoding="utf-8", newline="\n")
+    except OSError as error:
+        print(f"bgi: {file} cannot be written: {error.strerror}", file=sys.stderr)
+        return 2
+    print(f"bgi: {file} was written", file=sys.stderr)
+    return 0
 
 
 def is_source(file: str) -> bool:

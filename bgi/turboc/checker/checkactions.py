@@ -118,6 +118,7 @@ class Actions(Calls):
             raise CError(node.place, "switch needs a whole number")
         self.scope = Scope(self.scope)
         parts: list[tuple[list[int | None], list[Act]]] = []
+        written: dict[int, Value] = {}
         self.deep.append([])
         self.around.append("switch")
         for item in _without_blocks(node.body):
@@ -126,6 +127,8 @@ class Actions(Calls):
                     parts.append(([], []))
                 known = None if item.value is None else self.constant(item.value)
                 parts[-1][0].append(known)
+                if item.value is not None and known is not None:
+                    written[known] = self.value(item.value)
             elif parts:
                 parts[-1][1].append(self.act(item))
             elif isinstance(item, tree.Declaration):
@@ -137,7 +140,7 @@ class Actions(Calls):
         if deep and parts:
             parts[-1][1].append(Leave(node.place))
         parts += [([known], [Jump(node.place, label)]) for known, label in deep]
-        return Select(node.place, value, parts)
+        return Select(node.place, value, parts, written)
 
     def _case(self, node: tree.Case) -> Act:
         """A case in a loop or branch of its switch: a label that the switch jumps to."""

@@ -237,7 +237,7 @@ class Checker(Actions):
         cls = self.tagged(node.kind, node.tag)
         if cls.complete:
             raise CError(node.place, f"{node.tag} is defined twice")
-        cls.complete, cls.kind = True, node.kind
+        cls.complete, cls.kind, cls.place = True, node.kind, node.place
         self.structs.append(cls)
         if len(node.bases) > 1:
             raise CError(node.place, "a class with two bases is not supported")

@@ -121,15 +121,15 @@ class Values(Meaning):
         static = self.cls.static(node.name)
         if static is not None:
             return self.named(static, node.place)
-        type_ = self.cls.member(node.name)
-        if type_ is None:
+        if (type_ := self.cls.member(node.name)) is None:
             return None
         return self.referred(Field(node.place, type_, Itself(node.place, self.cls), node.name))
 
     def named(self, symbol: Any, place: Place) -> Value:
         """The value of a variable, or a constant."""
         if symbol.kind == "constant":
-            return Constant(place, symbol.type, symbol.value)
+            variable = Variable(place, symbol.type, symbol)
+            return Constant(place, symbol.type, symbol.value, variable)
         symbol.written += symbol.kind == "function"
         return self.referred(Variable(place, symbol.type, symbol))
 
@@ -166,7 +166,8 @@ class Values(Meaning):
             raise CError(node.place, "~ is for whole numbers only")
         if isinstance(value, Constant) and node.op in "+-":
             signed = arithmetic("*", value.value, -1 if node.op == "-" else 1, value.type)
-            return Constant(node.place, value.type, signed or 0)
+            shown = Signed(node.place, value.type, node.op, value)
+            return Constant(node.place, value.type, signed or 0, shown)
         return value if node.op == "+" else Signed(node.place, value.type, node.op, value)
 
     def _address(self, node: nodes.Unary) -> Value:
@@ -333,8 +334,7 @@ class Values(Meaning):
         return converted(value, type_, forced=True)
 
     def _construct(self, node: nodes.Construct) -> Value:
-        base = node.type.base
-        if isinstance(base, nodes.Named) and not node.type.parts:
+        if isinstance(base := node.type.base, nodes.Named) and not node.type.parts:
             function = self.headers.symbol(base.name)
             if function is not None and self.scope.find_type(base.name) is None:  # as time()
                 name = nodes.Name(node.place, base.name)

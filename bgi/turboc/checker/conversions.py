@@ -85,7 +85,7 @@ def converted(value: Value, type_: Type, forced: bool = False) -> Value:
         return Converted(value.place, VOID, value)
     if is_number(type_) and is_number(value.type):
         if isinstance(value, Constant):
-            return Constant(value.place, type_, fitted(value.value, type_))
+            return Constant(value.place, type_, fitted(value.value, type_), value.written)
         return Converted(value.place, type_, value)
     if isinstance(type_, PointerType) and _points(value, type_, forced):
         return Converted(value.place, type_, value)
@@ -155,7 +155,8 @@ def calculated(op: str, left: Value, right: Value) -> Value:
     if isinstance(left, Constant) and isinstance(right, Constant):
         result = arithmetic(op, left.value, right.value, type_)
         if result is not None:
-            return Constant(left.place, type_, result)
+            written = Arithmetic(left.place, type_, op, left, right)
+            return Constant(left.place, type_, result, written)
     return Arithmetic(left.place, type_, op, left, right)
 
 

@@ -92,6 +92,8 @@ class Meaning:
     def declare_type(self, name: str, type_: Type) -> None:
         """Let a name stand for a type."""
         self.scope.types[name] = type_
+        if isinstance(type_, StructType) and name != type_.tag and " " not in name:
+            type_.alias = type_.alias or name
 
     def _part(self, part: nodes.Part, type_: Type, place: Place) -> Type:
         match part:

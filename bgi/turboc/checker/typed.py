@@ -24,9 +24,13 @@ class Value:
 
 @dataclass(eq=False, slots=True)
 class Constant(Value):
-    """A number that is known; 0 as a pointer is null."""
+    """A number that is known; 0 as a pointer is null.
+
+    `written` is what it was computed from, a name or an operation, for whoever shows it.
+    """
 
     value: int | float
+    written: Value | None = None
 
 
 @dataclass(eq=False, slots=True)
@@ -296,10 +300,14 @@ class Loop(Act):
 
 @dataclass(eq=False, slots=True)
 class Select(Act):
-    """`switch`: parts from one case to the next, each with its values; None is the default."""
+    """`switch`: parts from one case to the next, each with its values; None is the default.
+
+    `written` are the cases as the program writes them.
+    """
 
     value: Value
     parts: list[tuple[list[int | None], list[Act]]]
+    written: dict[int, Value]
 
 
 @dataclass(eq=False, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-from bgi.turboc.faults import Place
+from bgi.turboc.faults import NOWHERE, Place
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +91,10 @@ class StructType:
     """Whether it is one of the library's."""
     pure: frozenset[str] = frozenset()
     """Its own virtual methods that have no body."""
+    place: Place = NOWHERE
+    """Where it is defined."""
+    alias: str = ""
+    """What a typedef calls it."""
 
     def missing(self) -> frozenset[str]:
         """The methods without a body, its own and those of its bases that nobody has given one."""

@@ -24,12 +24,21 @@ class Macro:
     parameters: tuple[str, ...] | None = None
 
 
+class Definition(NamedTuple):
+    """One `#define`: where the name stands in it."""
+
+    name: str
+    macro: Macro
+    place: Place
+
+
 class Preprocessed(NamedTuple):
     """A program without directives, and the headers of ours that it includes."""
 
     tokens: list[Token]
     headers: frozenset[str]
     errors: list[CError]
+    defined: list[Definition]
 
 
 Loader = Callable[[str], str | None]
@@ -54,7 +63,8 @@ def preprocess(
         found.macros[name] = Macro(words)
     found.read(text, file, 0)
     end = Token("end", "", Place(file, text.count("\n") + 1), first=True)
-    return Preprocessed([*found.output, end], frozenset(found.included), found.errors)
+    included = frozenset(found.included)
+    return Preprocessed([*found.output, end], included, found.errors, found.defined)
 
 
 class _Preprocessor:
@@ -62,6 +72,7 @@ class _Preprocessor:
         self._headers, self._load = headers, load
         self.macros: dict[str, Macro] = {}
         self.included: set[str] = set()
+        self.defined: list[Definition] = []
         self.output: list[Token] = []
         self.errors: list[CError] = []
         self._depth = self._steps = 0
@@ -174,6 +185,7 @@ class _Preprocessor:
             parameters = tuple(word.text for word in body[1:close] if word.text != ",")
             body = body[close + 1 :]
         self.macros[name] = Macro(tuple(body), parameters)
+        self.defined.append(Definition(name, self.macros[name], rest[0].place))
 
     def _undefine(self, place: Place, rest: list[Token]) -> None:
         if rest:

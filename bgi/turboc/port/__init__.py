@@ -1,0 +1,1 @@
+"""From the typed tree to Python that a person would have written."""

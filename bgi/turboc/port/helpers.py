@@ -1,0 +1,113 @@
+"""What a ported program brings with it, if it needs that: what C has and Python has not."""
+
+from __future__ import annotations
+
+from bgi.turboc.checker.scopes import Namer
+from bgi.turboc.port.pycode import Code
+
+_TEXTS = {
+    "Pointer": '''
+class Pointer:
+    """A place in a list, as a pointer of C: p + 1 is the next one."""
+
+    def __init__(self, items, at=0):
+        self.items = items
+        self.at = at
+
+    def __getitem__(self, index):
+        return self.items[self.at + index]
+
+    def __setitem__(self, index, value):
+        self.items[self.at + index] = value
+
+    def __add__(self, count):
+        return Pointer(self.items, self.at + count)
+
+    def __sub__(self, other):
+        if isinstance(other, Pointer):
+            return self.at - other.at
+        return Pointer(self.items, self.at - other)
+
+    def __eq__(self, other):
+        return other is not None and self.items is other.items and self.at == other.at
+
+    def __lt__(self, other):
+        return self.at < other.at
+
+    def __le__(self, other):
+        return self.at <= other.at
+
+    def __gt__(self, other):
+        return self.at > other.at
+
+    def __ge__(self, other):
+        return self.at >= other.at
+''',
+    "text": '''
+def text(characters):
+    """The string in an array of characters, up to the zero that ends it."""
+    if hasattr(characters, "items"):
+        characters = characters.items[characters.at :]
+    return bytes(code & 0xFF for code in characters).partition(b"\\0")[0].decode("cp437")
+''',
+    "store_text": '''
+def store_text(characters, string):
+    """Write a string into an array of characters, with a zero behind it."""
+    codes = string.encode("cp437") + b"\\0"
+    start = getattr(characters, "at", 0)
+    items = characters.items if hasattr(characters, "items") else characters
+    items[start : start + len(codes)] = codes
+''',
+    "char_at": '''
+def char_at(string, index):
+    """The code of a character; 0 behind the last one, as in C."""
+    return ord(string[index]) if index < len(string) else 0
+''',
+    "compare": '''
+def compare(a, b):
+    """Which of two strings comes first: below 0, 0 or above 0, as strcmp() says it."""
+    return (a > b) - (a < b)
+''',
+    "int16": '''
+def int16(number):
+    """A number as an int of 16 bits holds it: 32,768 is -32,768."""
+    return (number + 0x8000) % 0x10000 - 0x8000
+''',
+    "power": '''
+def power(x, y):
+    """pow() of C: 0 where the result is not defined."""
+    try:
+        return math.pow(x, y)
+    except (ValueError, OverflowError):
+        return 0.0
+''',
+    "single": '''
+def single(number):
+    """A number as a float of 32 bits holds it."""
+    return struct.unpack("f", struct.pack("f", number))[0]
+''',
+}
+
+
+class Helpers:
+    """The helpers of one program."""
+
+    def __init__(self, namer: Namer) -> None:
+        self._namer = namer
+        self._names: dict[str, str] = {}
+
+    def use(self, name: str) -> Code:
+        """A helper's name, which then is defined."""
+        if name not in self._names:
+            self._names[name] = self._namer.name(name)
+        return Code(self._names[name])
+
+    def lines(self) -> list[str]:
+        """Their definitions, each with two blank lines before it."""
+        found: list[str] = []
+        for name, wanted in self._names.items():
+            text = _TEXTS[name]
+            if wanted != name:
+                text = text.replace(f" {name}(", f" {wanted}(").replace(f"{name}:", f"{wanted}:")
+            found += ["", *text.rstrip().split("\n")]
+        return found

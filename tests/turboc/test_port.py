@@ -1,0 +1,78 @@
+"""`python -m bgi PROGRAM.C --port PROGRAM.py`: what is written, and that it does the same."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from bgi.__main__ import main
+from bgi.turboc.port.porting import ported
+from bgi.turboc.understanding import Understood
+
+PORTS = Path(__file__).parent / "port"
+DEMOS = Path(__file__).parents[2] / "demos" / "c"
+SOURCES = sorted(PORTS.glob("*.C*"))
+ELSE = {"BALLS.C": "float", "SHAPES.CPP": "classes"}
+"""Demos that do not do quite the same, or cannot be carried over."""
+ALIKE = [*SOURCES, *(one for one in sorted(DEMOS.iterdir()) if one.name not in ELSE)]
+
+
+def names(paths):
+    return pytest.mark.parametrize("source", paths, ids=[path.name for path in paths])
+
+
+def python_of(path):
+    return ported(Understood(str(path), {}))
+
+
+@names(SOURCES)
+def test_a_port_is_what_a_person_would_have_written(source):
+    assert python_of(source) == source.with_suffix(".py").read_text(encoding="utf-8")
+
+
+def traced(program, trace, script):
+    command = ["--monitor", "none", "--script", script, "--trace", str(trace), str(program)]
+    subprocess.run([sys.executable, "-m", "bgi", *command], stdout=subprocess.DEVNULL, check=True)
+    return trace.read_text()
+
+
+@names(ALIKE)
+def test_a_port_does_what_the_original_does(source, tmp_path):
+    port = tmp_path / "port.py"
+    port.write_text(python_of(source), encoding="utf-8")
+    assert traced(port, tmp_path / "p", "A") == traced(source, tmp_path / "c", "A")
+
+
+@names(ALIKE)
+def test_no_line_is_too_long(source):
+    assert max(map(len, python_of(source).splitlines())) < 100
+
+
+def test_the_option_stands_before_the_program_or_behind_it(tmp_path, capsys):
+    source, port = str(PORTS / "STARS.C"), tmp_path / "stars.py"
+    for words in (["--port", str(port), source], [source, "--port", str(port)]):
+        assert main(words) == 0
+        assert port.read_text(encoding="utf-8").startswith('"""STARS.C: stars that fly')
+        port.unlink()
+    assert capsys.readouterr().err == f"bgi: {port} was written\n" * 2
+
+
+def test_what_cannot_be_carried_over_is_told_with_its_line(tmp_path, capsys):
+    source, port = tmp_path / "T.C", tmp_path / "t.py"
+    source.write_text('#include <stdlib.h>\nvoid main()\n{\n  system("dir");\n}\n')
+    assert main([str(source), "--port", str(port)]) == 1
+    assert capsys.readouterr().err.splitlines() == [
+        "T.C:4:3: this cannot be carried over to Python: system(): it would start another program",
+        '      system("dir");',
+        "      ^",
+    ]
+    assert not port.exists()
+
+
+def test_no_source_is_overwritten(tmp_path, capsys):
+    source = str(PORTS / "STARS.C")
+    assert main([source, "--port", str(tmp_path / "STARS.C")]) == 2
+    assert capsys.readouterr().err == "bgi: --port writes Python: give it a name that ends in .py\n"
+    assert main([source, "--port", str(tmp_path / "no" / "stars.py")]) == 2
+    assert "cannot be written" in capsys.readouterr().err
