@@ -48,6 +48,8 @@ LESSON_KEYS = {
     "11_sprites": "Right m Right Right Down m Left Esc",
     "12_space": "Right Right Right + p Down p Right Down - Esc",
     "13_hidden": "2 3 4 Esc",
+    "14_fractals": "+ 2 + 3 - 4 Esc",
+    "15_game": "+Space Wait100ms -Space Wait2s +Right Wait300ms -Right Wait2s +Esc",
 }
 MOVING = "bounce"
 SECONDS = "2.4s"  # as much as fits into half a megabyte
