@@ -50,6 +50,7 @@ REASONS = {
     "floating point differs in the last bit": BROWSER,
     "argparse speaks otherwise": BROWSER,
     "no array is so large": BROWSER,
+    "endless recursion through C ends Python": BROWSER,
     "uses POSIX signals or fork": WINDOWS,
     "uses POSIX descriptors": WINDOWS,
     "looks into /proc": not LINUX,

@@ -173,6 +173,14 @@ def test_an_error_in_c_is_shown_with_its_line(tab: Tab) -> None:
     assert printed(tab) == "42\n"
 
 
+def test_when_python_itself_fails_it_begins_anew(tab: Tab) -> None:
+    """Its stack is JavaScript's, which ends without a RecursionError."""
+    run(tab, "class A:\n    def __repr__(self): return repr(self)\nrepr(A())\n")
+    assert "\nOut of stack" in printed(tab)
+    run(tab, "print(6 * 7)\n")
+    assert printed(tab) == "42\n"
+
+
 def test_what_is_drawn_is_seen_though_the_program_asks_for_nothing(tab: Tab) -> None:
     run(tab, BEGIN + "bar(0, 0, 99, 99)\nputpixel(200, 200, RED)\nwhile True:\n    pass\n")
     expected = np.zeros((480, 640, 3), np.uint8)

@@ -4,6 +4,7 @@ import { Ring } from "./ring.js";
 
 const [STOP, LOOK] = [2, 10]; // the signals SIGINT and SIGUSR1
 const PATIENCE = 2000; // milliseconds that a program has to end after Stop
+const DEEP = /call stack/; // what JavaScript says of it
 
 export class Machine {
   running = false;
@@ -14,7 +15,7 @@ export class Machine {
   #stopping = 0;
 
   // `on` has a function for each message of the worker's: progress, open, picture, tell, text, ask,
-  // started, ended, failed.
+  // started, ended.
   constructor(on, { shared, parts, bytes }) {
     this.on = on;
     this.shared = shared;
@@ -30,7 +31,7 @@ export class Machine {
 
   #start(resolve) {
     if (!this.shared && !("Suspending" in WebAssembly)) {
-      this.on.failed("This browser can neither share memory nor suspend WebAssembly: try a newer one.");
+      this.on.text("This browser can neither share memory nor suspend WebAssembly: try a newer one.\n");
       return;
     }
     let loaded = 0;
@@ -38,7 +39,7 @@ export class Machine {
     this.#ring = memory && new Ring(memory);
     this.#signals = this.shared ? new Uint8Array(new SharedArrayBuffer(1)) : null;
     this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    this.#worker.onerror = (event) => this.on.failed(event.message || "Python could not be loaded.");
+    this.#worker.onerror = (event) => this.#fail(event.message || "Python could not be loaded.");
     this.#worker.onmessage = ({ data }) => {
       if (data.loaded) this.on.progress((loaded += data.loaded) / this.bytes);
       else if (data.ready) resolve();
@@ -54,10 +55,20 @@ export class Machine {
     else if (data.ask) this.on.ask();
     else if (data.started) this.on.started();
     else if ("ended" in data) this.#end(data.ended);
-    else if (data.failed) {
-      this.on.failed(data.failed);
-      this.#end(1);
-    }
+    else if (data.failed) this.#fail(data.failed);
+  }
+
+  // Python itself has failed, not the program; it is loaded again for the next one.
+  #fail(why) {
+    const deep = "Out of stack, and Python with it: does something call itself without an end?";
+    this.#drop(DEEP.test(why) ? deep : why, 1);
+  }
+
+  #drop(why, status) {
+    this.#worker.terminate();
+    this.#ready = null;
+    this.on.text(`${why}\n`);
+    this.#end(status);
   }
 
   #end(status) {
@@ -95,14 +106,8 @@ export class Machine {
       this.#worker.postMessage({ stop: true });
     }
     clearTimeout(this.#stopping);
-    this.#stopping = setTimeout(() => this.#giveUp(), PATIENCE);
+    // If it does not listen, inside of a long calculation, say, Python begins anew.
+    this.#stopping = setTimeout(() => this.#drop("Stopped, and Python with it.", 130), PATIENCE);
   }
 
-  // It does not listen: inside of a long calculation, say. Python begins anew.
-  #giveUp() {
-    this.#worker.terminate();
-    this.#ready = null;
-    this.on.text("Stopped, and Python with it.\n");
-    this.#end(130);
-  }
 }

@@ -77,7 +77,6 @@ export class Player {
       ask: () => this.#ask(),
       started: () => this.#begin(),
       ended: (status) => this.#end(status),
-      failed: (why) => this.#print(`${why}\n`),
     };
   }
 
