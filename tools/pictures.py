@@ -42,6 +42,7 @@ LESSON_KEYS = {
     "02_lines": "Up Up Up Up Up Up Up Up Left Left x Esc",
     "03_circles": "Up Up Space Esc",
     "04_polygons": "x x x x x x x x x x x x x x x Esc x",
+    "05_filling": "1 2 3 Esc",
     "08_curves": "+ 2 Right Up b - b + Esc",
     "09_colours": "4 p Esc",
     "10_animation": "Wait1s d w Wait1s t Wait500ms Esc",

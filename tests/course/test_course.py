@@ -15,6 +15,8 @@ from tools import pictures
 PAGES = sorted((pictures.DOCS / "course").glob("[0-9][0-9]-*.md"))
 INDEX = (pictures.DOCS / "course" / "README.md").read_text("utf-8")
 TEACHERS = (pictures.DOCS / "course" / "teachers.md").read_text("utf-8")
+CHECKED = re.compile(r"\w+: right, all \d+ cases")
+"""What bgi.lab says of a solution."""
 
 
 @pytest.fixture(params=pictures.LESSONS, ids=lambda program: program.stem)
@@ -69,6 +71,8 @@ class TestSolutions:
         command = [sys.executable, str(pictures.COURSE / "solutions" / program.name)]
         ran = subprocess.run(command, cwd=tmp_path, env=own | plan, capture_output=True, text=True)
         assert (ran.returncode, ran.stderr) == (0, "")
+        wrong = [line for line in ran.stdout.splitlines() if not CHECKED.fullmatch(line)]
+        assert not wrong
 
     def test_solve_three_exercises(self, program: Path):
         text = (pictures.COURSE / "solutions" / program.name).read_text("utf-8")

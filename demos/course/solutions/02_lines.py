@@ -6,6 +6,7 @@ The exercises stand on the page docs/course/02-lines.md.
 """
 
 from bgi import *
+from bgi.lab import check
 
 
 def every_direction(x1, y1, x2, y2, color):
@@ -75,5 +76,8 @@ for draw, x, color in (
         draw(x, 240, x + end, 340, color)
         draw(x, 240, x - 100, 240 + end, color)
         draw(x, 240, x + 100, 240 + end, color)
+check.line(every_direction)
+check.line(whole_numbers)
+check.line(same_as_bgi, exactly=True)
 getch()
 closegraph()

@@ -8,6 +8,7 @@ The exercises stand on the page docs/course/03-circles.md.
 from math import sqrt
 
 from bgi import *
+from bgi.lab import check
 
 
 def eighths(x, y, radius, color):
@@ -73,5 +74,8 @@ for height in range(12):
 flat(560, 120, 0, 0, LIGHTCYAN)
 flat(560, 120, 0, 100, LIGHTCYAN)
 assert getpixel(560, 20) == getpixel(560, 220) == LIGHTCYAN
+check.circle(eighths)
+check.ellipse(additions)
+check.ellipse(flat)
 getch()
 closegraph()
