@@ -101,7 +101,9 @@ class Strokes(Areas):
         if style is not SOLID:
             place = place[style.upto(n)]
         if xor:  # no pixel occurs twice
-            self.flat[place] ^= self.numbers[color]
+            pixels = self.flat[place]
+            pixels ^= self.numbers[color]
+            self.flat[place] = pixels
         else:
             self.flat[place] = self.numbers[color]
 

@@ -135,8 +135,8 @@ MOST_CORNERS = 679
 """More corners of a thick curve did not fit the original's buffer: it drew nothing then."""
 
 
-def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
-    """The corners of a thick curve: one for every whole degree from start to end.
+def thick_points(start: int, end: int, rx: int, ry: int) -> tuple[Ints, Ints]:
+    """The corners of a thick curve, x and y: one for every whole degree from start to end.
 
     The original compares angles as unsigned numbers of 16 bits, so that an arc which begins below
     0 goes beyond a whole turn. Where it would draw nothing for want of memory, the arc is brought
@@ -147,8 +147,7 @@ def thick_points(start: int, end: int, rx: int, ry: int) -> list[Offset]:
     if sweep >= MOST_CORNERS:
         sweep = min(end - start, 360) % 360 or 360
     angles = (_COUNT[: sweep + 1] + start % 360) % 360  # `point_at` for all of them
-    dx, dy = _COSINES[angles] * rx >> 16, -(_SINES[angles] * ry >> 16)
-    return list(zip(dx.tolist(), dy.tolist(), strict=True))
+    return _COSINES[angles] * rx >> 16, -(_SINES[angles] * ry >> 16)
 
 
 _FAR = 1 << 16
@@ -239,7 +238,7 @@ CURVES = Kept(_curve, 1 << 23)
 def _thick_curve(
     start: int, end: int, rx: int, ry: int, xor: bool, trace: Trace, width: int
 ) -> Offsets:
-    x, y, _, _ = trace(lines.strands_many(thick_sides(start, end, rx, ry)))
+    x, y, _ = lines.trace_strands(trace, thick_sides(start, end, rx, ry))
     return offsets(each_once(y * width + x, xor), reach(x, y), width)
 
 
@@ -249,8 +248,21 @@ THICK_CURVES = Kept(_thick_curve, 1 << 23)
 
 def thick_sides(start: int, end: int, rx: int, ry: int) -> Segments:
     """The lines of a thick curve, before they are made thick."""
-    sides = polygons.edges(polygons.paths(thick_points(start, end, rx, ry)))
-    x1, y1, x2, y2 = np.array(sides, dtype=np.int64).reshape(-1, 4).T
+    x, y = thick_points(start, end, rx, ry)
+    found = [np.zeros((4, 0), np.int64)]
+    first = 0
+    while first < len(x):  # `polygons.paths`: once, mostly
+        home = (x[first:] == x[first]) & (y[first:] == y[first])
+        leaves = first + int(home.argmin())
+        if leaves == first:  # which it does not
+            break
+        back = np.flatnonzero(home[leaves - first :])
+        last = leaves + int(back[0]) if len(back) else len(x) - 1
+        ends = slice(leaves, last + 1)
+        starts = slice(leaves - 1, last)
+        found.append(np.array((x[starts], y[starts], x[ends], y[ends])))
+        first = last + 1
+    x1, y1, x2, y2 = np.concatenate(found, axis=1)
     return x1, y1, x2, y2
 
 

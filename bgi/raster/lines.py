@@ -15,6 +15,7 @@ the same shifted by +1; in y if it is more level than upright, else in x.
 """
 
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -45,6 +46,9 @@ _SHIFT = np.array(_FRACTION_BITS)
 _BELOW_ONE = (1 << _FRACTION_BITS) - 1
 _ROUNDING = (1 << _FRACTION_BITS - 1) + (1 << _FRACTION_BITS - 14)
 """A half, and a little more than the truncated step loses: less than 1 / 2n, for n below 4096."""
+
+_SHIFTS = np.array([0, -1, 1])
+"""Of the strands of a thick line."""
 
 
 def toward_zero(numerator: Any, denominator: Any) -> Any:
@@ -125,23 +129,22 @@ def _moved(
 
 def course(x1: int, y1: int, x2: int, y2: int, width: int) -> Course:
     """How a thin line goes over a page of that width."""
-    return _course(x1, y1, x2, y2, 1, width)
+    if y2 < y1:
+        x1, y1, x2, y2 = x2, y2, x1, y1
+    first, aside, n, m = y1 * width + x1, 1, x2 - x1, y2 - y1
+    if n < 0:
+        aside, n = -1, -n
+    return (first, n, m, aside, width) if n >= m else (first, m, n, width, aside)
 
 
 def course_rightward(x1: int, y1: int, x2: int, y2: int, width: int) -> Course:
     """`course` for a driver that draws its lines to the right, and not down."""
-    return _course(y2, x2, y1, x1, width, 1)
-
-
-def _course(x1: int, y1: int, x2: int, y2: int, right: int, down: int) -> Course:
-    """A course where a place is `x * right + y * down`."""
-    if y2 < y1:
+    if x2 <= x1:
         x1, y1, x2, y2 = x2, y2, x1, y1
-    aside, n, m = right, x2 - x1, y2 - y1
-    if n < 0:
-        aside, n = -right, -n
-    first = x1 * right + y1 * down
-    return (first, n, m, aside, down) if n >= m else (first, m, n, down, aside)
+    first, below, n, m = y1 * width + x1, width, x2 - x1, y2 - y1
+    if m < 0:
+        below, m = -width, -m
+    return (first, m, n, below, 1) if m >= n else (first, n, m, 1, below)
 
 
 def places(course: Course) -> Ints:
@@ -150,23 +153,24 @@ def places(course: Course) -> Ints:
     In fixed point: a step along the shorter axis is a fraction.
     """
     first, n, m, along, across = course
-    slope = (m << _FRACTION_BITS) // n
+    step = (m << _FRACTION_BITS) // n
     if across == 1 or across == -1:  # what the fraction adds is a place, as the rest is
-        step = (along << _FRACTION_BITS) + across * slope
-        rounding = _ROUNDING if across == 1 else _BELOW_ONE - _ROUNDING
-        place = _row(n, (first << _FRACTION_BITS) + rounding, step)
+        step = (along << _FRACTION_BITS) + across * step
+        start = (first << _FRACTION_BITS) + (_ROUNDING if across == 1 else _BELOW_ONE - _ROUNDING)
+        place: Ints = np.arange(start, start + (n + 1) * step, step, dtype=np.int64)
         place >>= _SHIFT
         return place
-    place = _row(n, _ROUNDING, slope)
+    place = np.arange(_ROUNDING, _ROUNDING + (n + 1) * step, step, dtype=np.int64)
     place >>= _SHIFT
-    place *= np.array(across)
-    place += _row(n, first, along)
+    place *= _number(across)
+    place += np.arange(first, first + (n + 1) * along, along, dtype=np.int64)
     return place
 
 
-def _row(n: int, start: int, step: int) -> Ints:
-    """A number for each of n steps, and one before them."""
-    return np.arange(start, start + (n + 1) * step, step, dtype=np.int64)
+@lru_cache(maxsize=64)
+def _number(number: int) -> NDArray[np.int64]:
+    """An array of no dimensions: numpy takes it sooner than an int."""
+    return np.array(number)
 
 
 def steps_of(segments: Segments) -> Ints:
@@ -225,8 +229,20 @@ def strands(x1: int, y1: int, x2: int, y2: int) -> list[Segment]:
 
 def strands_many(segments: Segments) -> Segments:
     """`strands` for arrays: the three of the first line, then those of the second, and so on."""
-    x1, y1, x2, y2 = (np.repeat(a, 3) for a in segments)
-    shift = np.tile([0, -1, 1], len(segments[0]))
+    x1, y1, x2, y2 = segments
     level = abs(x2 - x1) >= abs(y2 - y1)
-    in_x, in_y = np.where(level, 0, shift), np.where(level, shift, 0)
-    return x1 + in_x, y1 + in_y, x2 + in_x, y2 + in_y
+    in_x, in_y = np.multiply.outer(~level, _SHIFTS), np.multiply.outer(level, _SHIFTS)
+    x1, y1 = (x1[:, np.newaxis] + in_x).ravel(), (y1[:, np.newaxis] + in_y).ravel()
+    return x1, y1, (x2[:, np.newaxis] + in_x).ravel(), (y2[:, np.newaxis] + in_y).ravel()
+
+
+def trace_strands(trace: Trace, segments: Segments) -> tuple[Ints, Ints, Ints]:
+    """The pixels of many thick lines that nothing clips, x and y and the step: each is traced once.
+
+    Its other strands are the same pixels beside it.
+    """
+    x1, y1, x2, y2 = segments
+    x, y, step, line = trace(segments)
+    level = (abs(x2 - x1) >= abs(y2 - y1))[line]
+    x = np.concatenate((x, x - ~level, x + ~level))
+    return x, np.concatenate((y, y - level, y + level)), np.tile(step, 3)

@@ -39,7 +39,20 @@ def reach(x: Ints, y: Ints) -> Reach:
     return (int(x.min()), int(y.min()), int(x.max()), int(y.max())) if len(x) else NOTHING
 
 
+_MARKS = 1 << 19
+"""Places that are marked rather than sorted, which takes longer."""
+
+
 def each_once(place: Ints, xor: bool) -> Ints:
     """Every place that is drawn, once; by XOR none that is drawn an even number of times."""
-    places, times = np.unique(place, return_counts=True)
-    return places[times % 2 == 1] if xor else places
+    if xor:
+        places, times = np.unique(place, return_counts=True)
+        odd: Ints = places[times % 2 == 1]
+        return odd
+    least = place.min(initial=_FAR)
+    if place.max(initial=least) - least >= _MARKS:
+        return np.unique(place)
+    marks = np.zeros(place.max(initial=least) - least + 1, np.bool_)
+    marks[place - least] = True
+    found: Ints = np.flatnonzero(marks) + least
+    return found

@@ -18,7 +18,7 @@ def _short_line(
     """A line from 0, 0 in a style, on pages of one width."""
     x1 = y1 = np.zeros(1, np.int64)
     line = x1, y1, x1 + dx, y1 + dy
-    x, y, step, _ = trace(lines.strands_many(line) if thick else line)
+    x, y, step = lines.trace_strands(trace, line) if thick else trace(line)[:3]
     place = (y * width + x)[dashes(bits).drawn[step]]
     return offsets(each_once(place, xor), reach(x, y), width)
 

@@ -264,7 +264,7 @@ def test_a_thick_curve_is_thick_lines_from_degree_to_degree(vga, curve, place):
     vga.ellipse(x, y, *curve)
     drawn = points(vga)
     vga.cleardevice()
-    vga.drawpoly([(x + dx, y + dy) for dx, dy in curves.thick_points(*curve)])
+    vga.drawpoly([(x + dx, y + dy) for dx, dy in zip(*curves.thick_points(*curve), strict=True)])
     assert drawn == points(vga)
 
 
