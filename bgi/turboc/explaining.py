@@ -1,11 +1,15 @@
-"""What went wrong in a running program, in C's words: Python's exceptions explained."""
+"""What went wrong in a running program, in C's words: exceptions and warnings explained."""
 
 from __future__ import annotations
 
-from types import TracebackType
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType, TracebackType
 from typing import Any
 
-from bgi.turboc.faults import NOWHERE, CError, Place
+from bgi.turboc.faults import NOWHERE, CError, Place, shown
 
 PROGRAM = "<C program>"
 """What Python calls the file of the emitted program."""
@@ -66,3 +70,25 @@ def _message(error: Any, told: bool) -> str:
         return text
     kinds = (message for kind, message in _MESSAGES.items() if isinstance(error, kind))
     return next(kinds, f"this cannot be done here: {text}")
+
+
+@contextmanager
+def warnings_explained(places: list[Place], line: Callable[[Place], str]) -> Iterator[None]:
+    """While a C program runs: a warning shows its line of C, not ours of Python.
+
+    Args:
+        places: where each line of the emitted program comes from.
+        line: looks up the line that a place is in.
+    """
+
+    def show(message: Warning | str, *_: Any, **__: Any) -> None:
+        step: FrameType | None = sys._getframe()
+        while step and step.f_code.co_filename != PROGRAM:
+            step = step.f_back
+        warning = CError(places[step.f_lineno - 1] if step else NOWHERE, f"warning: {message}")
+        warning.source = line(warning.place)
+        print(shown(warning), file=sys.stderr)
+
+    with warnings.catch_warnings():
+        warnings.showwarning = show
+        yield

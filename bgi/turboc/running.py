@@ -11,7 +11,7 @@ from typing import Any
 from bgi.errors import BGIError
 from bgi.turboc.checker.folding import single
 from bgi.turboc.emitter.emit import emit
-from bgi.turboc.explaining import PROGRAM, explained
+from bgi.turboc.explaining import PROGRAM, explained, warnings_explained
 from bgi.turboc.faults import CError, CErrors
 from bgi.turboc.runtime import library, memory
 from bgi.turboc.runtime.memory import Pointer
@@ -111,7 +111,8 @@ class Runnable(Understood):
         before = sys.getrecursionlimit()
         sys.setrecursionlimit(min(MOST_CALLS, DEEPEST // 10 + STACK // (self.emitted.frame + 1)))
         try:
-            return session.run(main)
+            with warnings_explained(self.emitted.places, self.line):
+                return session.run(main)
         except (BGIError, KeyboardInterrupt):
             raise
         except Exception as error:

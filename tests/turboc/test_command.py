@@ -2,6 +2,7 @@
 
 import errno
 import os
+import warnings
 
 import pytest
 
@@ -64,6 +65,16 @@ def test_macros_headers_and_a_trace_are_asked_for(source, tmp_path):
 def test_a_program_says_how_it_ended(source):
     assert main([source("int main() { return 7; }")]) == 7
     assert main([source("#include <stdlib.h>\nvoid main() { exit(4); }")]) == 4
+
+
+def test_a_warning_shows_the_line_of_c(source, capsys):
+    name = source("void main()\n{\n    int gd = 640, gm = 480;\n    initgraph(&gd, &gm, 0);\n}\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        assert main([name]) == 0
+    first, line, _ = capsys.readouterr().err.splitlines()
+    assert first.partition(".C:")[2].startswith("4:5: warning: driver 640 does not exist; ")
+    assert line == "        initgraph(&gd, &gm, 0);"
 
 
 def test_several_files_are_one_program(source, capsys):
