@@ -6,6 +6,7 @@ python demos/course/solutions/08_curves.py
 from math import cos, hypot, pi, sin
 
 from bgi import *
+from bgi.lab import check
 
 
 def my_bezier(points, t):
@@ -102,6 +103,8 @@ def halves(points):
 
 
 strict()
+assert check.casteljau(my_bezier)
+assert check.bspline(my_bspline)
 initgraph(VGA, VGAHI)
 outtextxy(8, 8, "1: curves of two, three and five points")
 draw_curve([(20, 60), (180, 150)], LIGHTGREEN)

@@ -6,6 +6,7 @@ python demos/course/solutions/12_space.py
 from math import cos, hypot, pi, sin, tan
 
 from bgi import *
+from bgi.lab import check
 
 THETA = pi / 4
 
@@ -37,8 +38,8 @@ def draw_path(points, color):
 
 def my_projection(x, y, z, distance):
     """Exercise 2: what is twice as far from the eye appears half as large."""
-    size = distance / (distance - x)
-    return y * size, z * size
+    part = distance / (distance + z)
+    return x * part, y * part
 
 
 def draw_tunnel():
@@ -47,8 +48,8 @@ def draw_tunnel():
     before = None
     for number in range(12):
         points = []
-        for y, z in corners:
-            right, up = my_projection(-200 * number, y, z, 400)
+        for x, y in corners:
+            right, up = my_projection(x, y, 200 * number, 400)
             points.append((320 + right, 240 - up))
         draw_path(points, YELLOW)
         if before is not None:
@@ -102,6 +103,8 @@ def apart(a, b):
 
 
 strict()
+assert check.paper(my_paper)
+assert check.projection(my_projection)
 initgraph(VGA, VGAHI)
 draw_ripples()
 getch()
