@@ -20,7 +20,19 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-from bgi.lab import lineclips, matrices, ovals, polygonclips, showing, spaceviews, splines, straight
+from bgi.lab import (
+    floods,
+    interiors,
+    lineclips,
+    matrices,
+    ovals,
+    pictured,
+    polygonclips,
+    showing,
+    spaceviews,
+    splines,
+    straight,
+)
 from bgi.lab.answered import AnswerExercise
 from bgi.lab.drawn import DrawingExercise
 from bgi.lab.verdict import Verdict
@@ -62,6 +74,40 @@ def ellipse(function: Function, exactly: bool = False) -> Verdict:
         exactly: True for the very pixels of bgi's own ellipse().
     """
     return _checked(ovals.ellipse(exactly), function)
+
+
+def polygon(function: Function) -> Verdict:
+    """Check a function that fills polygons, row by row.
+
+    Args:
+        function: my_fill(points, color); points are [(x, y), ...], the last one joined to the
+            first. It may use line() for level lines. Pixels that touch a side are free: whether
+            they are filled does not matter. Sides may cross: the even-odd rule says what is inside.
+    """
+    return _checked(interiors.EXERCISE, function)
+
+
+def boundary(function: Function, deep: bool = True) -> Verdict:
+    """Check a function that fills the area around a place as far as a border.
+
+    Args:
+        function: my_fill(x, y, color, border); everything is inside that can be reached from x, y
+            by steps to the four neighbours without meeting the colours `border` or `color`. It may
+            use line() for level lines.
+        deep: False leaves out the large area, for a function that calls itself for each pixel.
+    """
+    return _checked(floods.boundary(deep), function)
+
+
+def flood(function: Function, deep: bool = True) -> Verdict:
+    """Check a function that gives an area of one colour another one.
+
+    Args:
+        function: my_fill(x, y, color); of the colour that is found at x, y everything is inside
+            that can be reached by steps to the four neighbours. It may use line() for level lines.
+        deep: False leaves out the large area, for a function that calls itself for each pixel.
+    """
+    return _checked(floods.flood(deep), function)
 
 
 def clip_line(function: Function) -> Verdict:
@@ -180,7 +226,21 @@ def paper(function: Function) -> Verdict:
     return _checked(spaceviews.EXERCISES["paper"], function)
 
 
+def picture(file: str | os.PathLike[str]) -> Verdict:
+    """Compare the screen, as it is now, with a picture in a file.
+
+    Args:
+        file: a PNG or another picture, of the size of the screen: every pixel must have its colour.
+
+    Raises BGIError if there is no screen, and OSError or ValueError if there is no such picture.
+    """
+    return _told(pictured.compare(file))
+
+
 def _checked(exercise: DrawingExercise | AnswerExercise, function: Function) -> Verdict:
-    verdict = exercise.check(function)
+    return _told(exercise.check(function))
+
+
+def _told(verdict: Verdict) -> Verdict:
     showing.show(verdict, show, save)
     return verdict

@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -34,6 +34,8 @@ class Trial:
     """Draws what is on the screen before."""
     deepest: int = supervision.DEEPEST
     """Calls inside each other that are not too many."""
+    about: str = ""
+    """What is special about it, for the hint."""
 
 
 @dataclass(frozen=True)
@@ -83,6 +85,11 @@ class Evidence:
 
     faults: list[Fault]
     right: list[Trial]
+
+    @property
+    def mostly(self) -> bool:
+        """Whether more is wrong than right."""
+        return len(self.faults) > len(self.right)
 
     def always(self, test: Callable[[Fault], bool]) -> bool:
         """Whether something holds for every fault."""
@@ -173,6 +180,7 @@ def _try(function: Callable[..., Any], trial: Trial, screen: Graphics) -> Fault 
         screen.graphdefaults()
     ground = screen.page.array.copy()
     guard = current.screen
+    cast(PixelsOnly, guard).calls = 0
     outcome = supervision.call(function, supervision.copied(trial.arguments))
     if current.screen is not guard:
         words = "it opens or closes the screen"
@@ -218,8 +226,8 @@ def places(mask: Any) -> set[Place]:
 
 
 def nothing(evidence: Evidence) -> bool:
-    """Nothing is drawn, ever."""
-    return not evidence.right and evidence.always(lambda fault: not fault.drawn)
+    """Nothing is drawn, ever: what is right needs nothing."""
+    return evidence.mostly and evidence.always(lambda fault: not fault.drawn)
 
 
 def wrong_color(evidence: Evidence) -> bool:
@@ -234,7 +242,7 @@ def transposed(evidence: Evidence) -> bool:
         there = {(y, x) for x, y in fault.wanted if x < 480}
         return len(there ^ fault.drawn) <= len(there) // 4
 
-    return len(evidence.faults) > len(evidence.right) and evidence.always(seems)
+    return evidence.mostly and evidence.always(seems)
 
 
 INSTEAD = "set the pixels by putpixel: the exercise is to find out which"
@@ -243,6 +251,11 @@ INSTEAD = "set the pixels by putpixel: the exercise is to find out which"
 def only(test: Callable[[Fault], bool]) -> Callable[[Evidence], bool]:
     """A sign that every fault shows by itself."""
     return lambda evidence: evidence.always(test)
+
+
+def first_about(*kinds: str) -> Callable[[Evidence], bool]:
+    """A sign: the first trial that goes wrong is of such a kind."""
+    return lambda evidence: evidence.faults[0].trial.about in kinds
 
 
 def off_by_one(evidence: Evidence) -> bool:

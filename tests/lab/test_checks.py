@@ -118,6 +118,15 @@ def test_what_it_prints_is_kept_to_itself(capsys):
     assert len(capsys.readouterr().out) < 3000
 
 
+def test_pixels_are_counted_for_each_call_alone():
+    def my_line(x1, y1, x2, y2, color):
+        for _ in range(500):
+            putpixel(x1, y1, color)
+        dda(x1, y1, x2, y2, color)
+
+    assert check.line(my_line)
+
+
 def test_ctrl_c_comes_through():
     def interrupted():
         raise KeyboardInterrupt
