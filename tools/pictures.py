@@ -43,6 +43,8 @@ LESSON_KEYS = {
     "03_circles": "Up Up Space Esc",
     "04_polygons": "x x x x x x x x x x x x x x x Esc x",
     "05_filling": "1 2 3 Esc",
+    "06_clipping": "Left Left Left Left - Down Down Down Esc",
+    "07_transformations": "Right Right Right R + r m Esc",
     "08_curves": "+ 2 Right Up b - b + Esc",
     "09_colours": "4 p Esc",
     "10_animation": "Wait1s d w Wait1s t Wait500ms Esc",
