@@ -45,7 +45,8 @@ def midpoint_ellipse(center_x, center_y, a, b):
 
 def show(a, b, own):
     """The ellipse enlarged, and what it is."""
-    cleardevice()
+    bar(0, 0, COLUMNS, ROWS, BLACK)  # the squares show what is drawn here
+    bar(490, 90, getmaxx(), 170, BLACK)
     midpoint_ellipse(CENTER_X, CENTER_Y, a, b)
     if own:
         ellipse(CENTER_X, CENTER_Y, 0, 360, a, b, LIGHTRED)

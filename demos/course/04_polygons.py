@@ -39,7 +39,7 @@ def fill_row(y, edges, color):
 
 def show(y, edges):
     """The rows so far, the true edges over them, and the edges that are active."""
-    bar(0, TOP, getmaxx(), getmaxy(), BLACK)
+    bar(490, TOP, getmaxx(), getmaxy(), BLACK)
     left, top = enlarge(COLUMNS, ROWS, SIZE, top=TOP)
     setcolor(LIGHTRED)
     middle = SIZE // 2

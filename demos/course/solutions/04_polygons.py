@@ -9,6 +9,7 @@ from itertools import pairwise
 from math import ceil, cos, pi, sin
 
 from bgi import *
+from bgi.lab import check
 
 
 def edges(points):
@@ -83,5 +84,6 @@ whole_numbers(star(320, 120, 100), LIGHTGREEN)
 winding(star(530, 120, 100), LIGHTCYAN)
 ribbon = [(20, 260), (300, 440), (600, 260), (600, 440), (300, 260), (20, 440)]
 striped(ribbon, LIGHTRED)
+check.polygon(whole_numbers)
 getch()
 closegraph()

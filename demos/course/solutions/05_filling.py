@@ -6,6 +6,7 @@ The exercises stand on the page docs/course/05-filling.md.
 """
 
 from bgi import *
+from bgi.lab import check
 
 
 def on_screen(x, y):
@@ -78,5 +79,7 @@ spans(320, 120, LIGHTGREEN)
 circle(530, 320, 100)
 line(400, 300, 639, 340)
 chequered(530, 280, YELLOW, BLACK)
+check.boundary(own_stack)
+check.flood(spans)
 getch()
 closegraph()
