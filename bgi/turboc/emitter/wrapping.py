@@ -7,6 +7,8 @@ interval arithmetic.
 
 from __future__ import annotations
 
+from typing import Any
+
 from bgi.turboc.checker.typed import (
     Arithmetic,
     Choice,
@@ -14,15 +16,19 @@ from bgi.turboc.checker.typed import (
     Connective,
     Constant,
     Converted,
+    Field,
     Inverse,
     LibraryCall,
     Signed,
     Value,
     Variable,
 )
-from bgi.turboc.checker.types import FloatType, IntType, Symbol
+from bgi.turboc.checker.types import FloatType, IntType, StructType, Type
 
 Interval = tuple[int, int]
+
+Known = dict[Any, Interval]
+"""Where variables lie, by symbol, and members, by what `member` says."""
 
 WIDEST = 1 << 62
 """Beyond it nothing is known."""
@@ -35,7 +41,15 @@ _ANSWERS = {
 """What functions of the library answer at most."""
 
 
-def interval(value: Value, known: dict[Symbol, Interval]) -> Interval:
+def member(type_: Type, name: str) -> tuple[Type, str]:
+    """A member of a class, known by the class that it belongs to."""
+    cls = type_
+    while isinstance(cls, StructType) and cls.base is not None and name not in cls.members:
+        cls = cls.base
+    return cls, name
+
+
+def interval(value: Value, known: Known) -> Interval:
     """Where a whole number lies that has not been cut to its type."""
     type_ = value.type
     assert isinstance(type_, IntType)
@@ -45,6 +59,8 @@ def interval(value: Value, known: dict[Symbol, Interval]) -> Interval:
             return int(number), int(number)
         case Variable(symbol=symbol):
             return known.get(symbol, whole)
+        case Field(base=base, name=name):
+            return known.get(member(base.type, name), whole)
         case Comparison() | Connective() | Inverse():
             return 0, 1
         case LibraryCall(name=name):
@@ -68,7 +84,7 @@ def interval(value: Value, known: dict[Symbol, Interval]) -> Interval:
     return whole
 
 
-def cut(value: Value, known: dict[Symbol, Interval]) -> Interval:
+def cut(value: Value, known: Known) -> Interval:
     """Where it lies once it has been cut to its type."""
     found = interval(value, known)
     assert isinstance(value.type, IntType)
@@ -80,7 +96,7 @@ def fits(found: Interval, type_: IntType) -> bool:
     return type_.low <= found[0] and found[1] <= type_.high
 
 
-def _arithmetic(value: Arithmetic, type_: IntType, known: dict[Symbol, Interval]) -> Interval:
+def _arithmetic(value: Arithmetic, type_: IntType, known: Known) -> Interval:
     if value.op in ("+", "-", "*"):
         a, b = interval(value.left, known)
         c, d = interval(value.right, known)

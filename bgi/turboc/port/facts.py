@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from typing import Any
 
 from bgi.turboc.checker.typed import (
     Act,
@@ -17,12 +18,14 @@ from bgi.turboc.checker.typed import (
     Constant,
     Converted,
     Define,
+    Field,
     Give,
     Group,
     Invocation,
     Jump,
     Leave,
     LibraryCall,
+    Listed,
     Loop,
     MethodCall,
     Select,
@@ -32,8 +35,8 @@ from bgi.turboc.checker.typed import (
     Value,
     Variable,
 )
-from bgi.turboc.checker.types import IntType, Symbol
-from bgi.turboc.emitter.wrapping import Interval, interval
+from bgi.turboc.checker.types import IntType, StructType, Symbol, Type
+from bgi.turboc.emitter.wrapping import Known, interval, member
 from bgi.turboc.port import walking
 from bgi.turboc.port.outs import LIBRARY_OUTS, Outs
 from bgi.turboc.port.shaping import FILLING
@@ -62,8 +65,8 @@ class Facts:
 
     def __init__(self, program: TypedProgram, outs: Outs) -> None:
         self._outs = outs
-        self.known: dict[Symbol, Interval] = {}
-        """Whole numbers that are never negative."""
+        self.known: Known = {}
+        """Whole numbers that are never negative: variables and members."""
         self._never_negative(program)
         self.pure: set[Symbol] = set()
         """Parameters that answer, and are not looked at before."""
@@ -75,6 +78,22 @@ class Facts:
             whole = walking.of_routine(routine)
             self._writes[routine.symbol] = walking.written(whole)
             self._calls[routine.symbol] = set(walking.called(whole))
+
+    @property
+    def recurs(self) -> bool:
+        """Whether a function calls itself, if only through others."""
+        return any(self._reaches(one, one) for one in self._calls)
+
+    def _reaches(self, start: Symbol, end: Symbol) -> bool:
+        waiting, seen = list(self._calls.get(start, ())), set()
+        while waiting:
+            one = waiting.pop()
+            if one is end:
+                return True
+            if one not in seen:
+                seen.add(one)
+                waiting += self._calls.get(one, ())
+        return False
 
     def changed_by_calls(self, thing: Act) -> set[Symbol]:
         """The variables that functions may change that are called there."""
@@ -91,30 +110,37 @@ class Facts:
     # Signs
 
     def _never_negative(self, program: TypedProgram) -> None:
-        given: dict[Symbol, list[Value | None]] = {}
-        lost: set[Symbol] = set()
+        given: dict[Any, list[Value | None]] = {
+            member(cls, name): [] for cls in program.structs for name in cls.members
+        }
+        types: dict[Any, Type] = {
+            member(cls, name): one for cls in program.structs for name, one in cls.members.items()
+        }
+        lost: set[Any] = {one for one in given if one[0].kind == "union"}
         for value in walking.of_program(program):
             match value:
-                case Store(target=Variable(symbol=symbol), value=one):
-                    given.setdefault(symbol, []).append(one)
-                case Update(target=Variable(symbol=symbol), result=one):
-                    lost.add(symbol)
-                case Advance(target=Variable(symbol=symbol), by=by):
-                    if by < 0:
-                        lost.add(symbol)
-                case Address(operand=Variable(symbol=symbol)):
-                    lost.add(symbol)
+                case Store(target=target, value=one):
+                    while isinstance(one, Store):  # x = y = 0
+                        one = one.value
+                    given.setdefault(_key(target), []).append(one)
+                case Update(target=target) | Address(operand=target):
+                    lost.add(_key(target))
+                case Advance(target=target, by=by):
+                    lost |= {_key(target)} if by < 0 else set()
                 case Invocation() | MethodCall():
                     for parameter, one in self._outs.pairs(value):
                         given.setdefault(parameter, []).append(one)
+                case Listed(type=StructType() as cls, items=items):
+                    for name, item in zip(cls.all_members(), items, strict=True):
+                        given.setdefault(member(cls, name), []).extend([item] if item else [])
         for act in self._defined(program):
             if act.value is not None:
                 given.setdefault(act.symbol, []).append(act.value)
-        high = {
-            symbol: (0, min(symbol.type.high, SOMEWHERE))
-            for symbol in given
-            if isinstance(symbol.type, IntType) and symbol not in lost
-        }
+        high: Known = {}
+        for key in given:
+            type_ = key.type if isinstance(key, Symbol) else types.get(key)
+            if isinstance(type_, IntType) and key not in lost:
+                high[key] = 0, min(type_.high, SOMEWHERE)
         self.known = _kept(high, given)
 
     def _defined(self, program: TypedProgram) -> list[Define]:
@@ -229,6 +255,12 @@ class Facts:
                 adds = name in ("strcat", "strncat", "strupr", "strlwr", "strrev", "strset")
                 at = len(arguments) if place >= len(arguments) or adds else place
                 return self._fills(arguments, at, spot)
+            case MethodCall(method=method, base=base) if method.name == "operator>>":
+                found = self._value(base, spot)
+                if found != OPEN or not value.arguments:
+                    return found
+                read = self._outs.place(value.arguments[0])
+                return SET if read is not None and spot(read) else self._parts(value, spot)
             case Invocation(arguments=arguments) | MethodCall(arguments=arguments):
                 pure = [
                     place
@@ -272,9 +304,17 @@ class Facts:
         return SET if answers else OPEN
 
 
-def _kept(
-    high: dict[Symbol, Interval], given: dict[Symbol, list[Value | None]]
-) -> dict[Symbol, Interval]:
+def _key(target: Value) -> object:
+    """What is known by: a variable, or a member of a class."""
+    match target:
+        case Variable(symbol=symbol):
+            return symbol
+        case Field(base=base, name=name):
+            return member(base.type, name)
+    return None
+
+
+def _kept(high: Known, given: dict[Any, list[Value | None]]) -> Known:
     """Those of which all values are not negative, if the others are not."""
     changed = True
     while changed:

@@ -66,6 +66,17 @@ class Origin:
         """One line."""
         return self.lines[number - 1] if 0 < number <= len(self.lines) else ""
 
+    def around(self, number: int) -> tuple[int, int]:
+        """The lines of a function that begins in a line, with the comments right above it."""
+        first = number
+        comments = {
+            line for one in self.comments if one.alone for line in range(one.line, one.end + 1)
+        }
+        while first - 1 in comments:
+            first -= 1
+        starts = [one for one in self.closing if one[0] >= number]
+        return first, self.closing[min(starts)] if starts else number
+
     def is_blank(self, number: int) -> bool:
         """Whether there is nothing in a line of the file."""
         return 0 < number < len(self.lines) and not self.line(number).strip()

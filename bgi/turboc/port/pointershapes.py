@@ -142,6 +142,8 @@ class Shapes:
     def flow(self, to: Key, value: Value) -> None:
         """A value becomes what a pointer holds."""
         while isinstance(value, Converted) and isinstance(value.operand.type, PointerType):
+            if is_flattened(value):
+                return  # a copy
             value = value.operand
         if isinstance(value, Converted | Constant):
             self.handle(to).flags.add("null")
@@ -219,6 +221,19 @@ class Shapes:
     def _is_changed(self, memory: set[str]) -> bool:
         """Whether a memory of characters is written letter by letter, or through pointers."""
         return bool(memory & {"written", "filled_through", "data", "distance"})
+
+
+def is_flattened(value: Converted) -> bool:
+    """Whether a pointer to rows is taken for one to what stands in them."""
+    inner, to = value.operand, value.type
+    while isinstance(inner, Converted):
+        inner = inner.operand
+    if not (isinstance(inner.type, PointerType) and isinstance(to, PointerType)):
+        return False
+    row = inner.type.to
+    if isinstance(inner, Address) and isinstance(inner.operand.type, ArrayType):
+        row = inner.operand.type.of
+    return isinstance(row, ArrayType) and row.of == to.to
 
 
 def owner(type_: Type, name: str) -> StructType | None:

@@ -34,13 +34,13 @@ from bgi.turboc.checker.types import (
 from bgi.turboc.emitter.effects import has_effects
 from bgi.turboc.port import walking
 from bgi.turboc.port.pointershapes import CURSOR, OBJECT, TEXT
-from bgi.turboc.port.portobjects import PortObjects
+from bgi.turboc.port.portclasses import PortClasses
 from bgi.turboc.port.pycode import Code, negated
 
 _IN_PLACE = ("+", "-", "*", "/", "//", "%", "<<", ">>", "&", "|", "^")
 
 
-class PortEffects(PortObjects):
+class PortEffects(PortClasses):
     """Writes assignments and statements that are values."""
 
     def effect(self, value: Value) -> None:

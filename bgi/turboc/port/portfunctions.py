@@ -16,6 +16,7 @@ from bgi.turboc.checker.typed import (
     Give,
     Group,
     Invocation,
+    Itself,
     Loop,
     MethodCall,
     Routine,
@@ -35,8 +36,11 @@ from bgi.turboc.checker.types import (
 )
 from bgi.turboc.faults import Place
 from bgi.turboc.port import walking
+from bgi.turboc.port.facts import SET, Spot
 from bgi.turboc.port.portactions import PortActions
+from bgi.turboc.port.portclasses import is_only
 from bgi.turboc.port.pycode import Code, plain
+from bgi.turboc.port.weaving import AWAY, BACK, BLANK
 
 
 class PortFunctions(PortActions):
@@ -49,14 +53,23 @@ class PortFunctions(PortActions):
         self.assigned = set()
         self._name_variables(routine)
         parameters = [one.python for one in routine.parameters if one not in self.facts.pure]
+        if symbol.static:
+            self.line("@staticmethod")
+        elif symbol.owner is not None:
+            parameters.insert(0, "self")
         with self.block(f"def {symbol.python}({', '.join(parameters)}):", symbol.place):
             before = len(self.lines)
             for one in routine.parameters:
                 if one in self.cells:
                     self.line(f"{one.python} = [{one.python}]")
+            if symbol.owner is not None and symbol.name == symbol.owner.tag:
+                self._construct(routine, symbol.owner)
             self._begin_early(routine)
             self.acts(routine.body.items)
             self.ended(routine.body.ending)
+            self.acts(routine.after)
+            if symbol.owner is not None and symbol.python.startswith("construct"):
+                self.line("return self")
             self._end(routine)
             self._mark_end(routine.body)
             if self.assigned:
@@ -137,12 +150,70 @@ class PortFunctions(PortActions):
     def class_lines(self, cls: StructType) -> None:
         """A struct as a small class."""
         base = f"({cls.base.python})" if cls.base else ""
+        self.inside = cls
         with self.block(f"class {cls.python}{base}:", cls.place):
-            parts = [self._member(cls, name) for name in cls.members]
-            given = [f"{name}={default}" for name, default, _ in parts if default]
-            with self.block(f"def __init__({', '.join(['self', *given])}):"):
-                for name, _, value in parts:
-                    self.line(f"self.{name} = {value}", self._member_place(cls, name))
+            before = len(self.lines)
+            for name, symbol in cls.statics.items():
+                if symbol.kind == "global":
+                    self.line(f"{plain(name)} = {self.first(self.statics[symbol])}")
+            makers = cls.methods.get(cls.tag, [])
+            if not (makers and is_only(makers[0])) and (cls.members or not cls.base):
+                self._at_first(cls)
+            for routine in in_order(self.methods.get(cls, []), cls):
+                if len(self.lines) > before:
+                    self.lines.append((0, BLANK, None))
+                outside = not self._is_inside(cls, routine.symbol.place)
+                if outside:
+                    self.lines.append((self.indent, AWAY, routine.symbol.place))
+                self.routine_lines(routine)
+                if outside:
+                    self.lines.append((self.indent, BACK, routine.symbol.place))
+        self.inside = None
+
+    def _is_inside(self, cls: StructType, place: Place) -> bool:
+        """Whether a method's body stands in the class."""
+        origin = self.names.origins.get(cls.place.file)
+        starts = [one for one in origin.closing if one >= cls.place[1:]] if origin else []
+        end = origin.closing[min(starts)] if origin and starts else 0
+        return place.file == cls.place.file and cls.place.line <= place.line <= end
+
+    def _construct(self, routine: Routine, cls: StructType) -> None:
+        """What a constructor does before its body."""
+        whole = walking.of_routine(routine)
+        given = any(isinstance(one, Compute) and _is_of_base(one) for one in routine.before)
+        if cls.base is not None and not given:
+            self.line("super().__init__()")
+        if not is_only(routine.symbol):
+            self.acts(routine.before)
+            return
+        for act in routine.before:
+            if _is_of_base(act):
+                self.act(act)
+        for name, type_ in cls.members.items():
+            if self.facts.first(whole, _own_member(name)) != SET:
+                self.line(f"self.{plain(name)} = {self.nothing(type_, ((cls, name), 0))}")
+        self.acts([act for act in routine.before if not _is_of_base(act)])
+
+    methods: dict[StructType, list[Routine]]
+    """The methods of each class."""
+    statics: dict[Symbol, Define]
+    """Members that all objects of a class share."""
+
+    def _at_first(self, cls: StructType) -> None:
+        """What an object holds at first."""
+        if cls.base is not None:
+            with self.block("def __init__(self):"):
+                self.line("super().__init__()")
+                for name, type_ in cls.members.items():
+                    self.line(f"self.{plain(name)} = {self.nothing(type_, ((cls, name), 0))}")
+            return
+        if not cls.members:
+            return
+        parts = [self._member(cls, name) for name in cls.members]
+        given = [f"{name}={default}" for name, default, _ in parts if default]
+        with self.block(f"def __init__({', '.join(['self', *given])}):"):
+            for name, _, value in parts:
+                self.line(f"self.{name} = {value}", self._member_place(cls, name))
 
     def _member_place(self, cls: StructType, name: str) -> Place | None:
         """The line that a member is declared in."""
@@ -167,6 +238,44 @@ class PortFunctions(PortActions):
 
     lists: set[tuple[StructType, str]]
     """Members that are lists, and get their first values somewhere."""
+
+
+def _own_member(name: str) -> Spot:
+    """Whether a value is a member of the object whose method it is."""
+
+    def is_it(value: Value) -> bool:
+        own = isinstance(value, Field) and value.name == name
+        return own and isinstance(value.base, Itself)  # type: ignore[attr-defined]
+
+    return is_it
+
+
+def says_nothing(routine: Routine) -> bool:
+    """Whether a constructor or destructor only does what the base's does."""
+    symbol = routine.symbol
+    if symbol.owner is None or symbol.owner.base is None or walking.items_of(routine.body):
+        return False
+    acts = [*routine.before, *routine.after]
+    if symbol.name.startswith("~"):
+        return all(_is_of_base(one) for one in acts)
+    if symbol.name != symbol.owner.tag or symbol.owner.members or len(acts) != 1:
+        return False
+    call = acts[0].value if isinstance(acts[0], Compute) else None
+    if not isinstance(call, MethodCall) or not is_only(call.method):
+        return False
+    names = [one.symbol if isinstance(one, Variable) else None for one in call.arguments]
+    return is_only(symbol) and names == routine.parameters
+
+
+def in_order(routines: list[Routine], cls: StructType) -> list[Routine]:
+    """The methods of a class: constructors first, without those that say nothing."""
+    kept = [one for one in routines if not says_nothing(one)]
+    return sorted(kept, key=lambda one: (one.symbol.name != cls.tag, one.symbol.place))
+
+
+def _is_of_base(act: Act) -> bool:
+    """Whether it calls the constructor of a base."""
+    return isinstance(act, Compute) and isinstance(act.value, MethodCall)
 
 
 def _scopes(body: Group) -> dict[Symbol, list[int]]:

@@ -8,11 +8,13 @@ from typing import NamedTuple
 
 from bgi.turboc.checker.scopes import python_name
 from bgi.turboc.checker.typed import Define, Listed, Routine, TypedProgram
-from bgi.turboc.checker.types import StructType
+from bgi.turboc.checker.types import StructType, Symbol
 from bgi.turboc.faults import CError, CErrors, Place
 from bgi.turboc.port import walking
 from bgi.turboc.port.facts import Facts
+from bgi.turboc.port.jumps import without_jumps
 from bgi.turboc.port.outs import Outs
+from bgi.turboc.port.portclasses import method_name
 from bgi.turboc.port.portfunctions import PortFunctions, asked_functions, changed_parameters
 from bgi.turboc.port.portnames import Names
 from bgi.turboc.port.shaping import Shaper
@@ -46,12 +48,15 @@ class _Porter(PortFunctions):
         self.errors: list[CError] = []
         parts: list[Part] = []
         for routine in program.routines:
-            with self._part(parts, routine.symbol.place, True):
-                self.routine_lines(routine)
+            if routine.symbol.owner is None:
+                with self._part(parts, routine.symbol.place, True):
+                    self.routine_lines(routine)
         for cls in program.structs:
             with self._part(parts, cls.place, True):
                 self.class_lines(cls)
         for defined in program.globals:
+            if "." in defined.symbol.python:
+                continue
             with self._part(parts, self._before_function(defined, program.routines), False):
                 self.line(f"{defined.symbol.python} = {self.first(defined)}", defined.place)
         if self.errors:
@@ -76,8 +81,19 @@ class _Porter(PortFunctions):
             if routine.symbol.owner is None:
                 plain = python_name(routine.symbol)
                 routine.symbol.python = self.names.namer.name(plain)
+        self.methods, self.statics = {}, {one.symbol: one for one in program.globals}
+        for routine in program.routines:
+            owner = routine.symbol.owner
+            if owner is not None:
+                self.methods.setdefault(owner, []).append(routine)
+        members: dict[Symbol, str] = {}
+        for cls in program.structs:
+            members |= {one: f"{cls.python}.{name}" for name, one in cls.statics.items()}
+            for method in [one for same in cls.methods.values() for one in same]:
+                method.python = method_name(method)
         for defined in program.globals:
-            defined.symbol.python = self.names.namer.name(defined.symbol.name)
+            name = members.get(defined.symbol)
+            defined.symbol.python = name or self.names.namer.name(defined.symbol.name)
         for value in walking.of_program(program):
             if isinstance(value, Listed) and isinstance(value.type, StructType):
                 for name, item in zip(value.type.all_members(), value.items, strict=True):
@@ -110,10 +126,24 @@ def _place_and_value(one: tuple[str, tuple[Place, str]]) -> tuple[Place, int]:
     return place, int(text) if text.lstrip("-").isdecimal() else 0
 
 
+def _before_class(place: Place, program: TypedProgram, names: Names) -> Place:
+    """A constant that is defined in a class stands before it."""
+    for cls in program.structs:
+        start = cls.place
+        closing = names.origins[start.file].closing if start.file in names.origins else {}
+        ends = [one for one in closing if one >= start[1:]]
+        if ends and start.file == place.file and start.line < place.line <= closing[min(ends)]:
+            return start._replace(column=0)
+    return place
+
+
 def ported(program: Understood) -> str:
     """A program in Python; CErrors holds what cannot be carried over."""
     typed = program.typed
     with deep():
+        for routine in typed.routines:
+            if routine.jumps:
+                without_jumps(routine)
         names = Names(program)
         outs = Outs(typed)
         shaper = Shaper(typed, program.headers, outs)
@@ -121,9 +151,11 @@ def ported(program: Understood) -> str:
         porter = _Porter(program.headers, names, shaper.shapes, outs, facts)
         porter.cells = shaper.cells
         parts = porter.program(typed)
+    if facts.recurs:
+        names.modules.add("sys")
     weaver = Weaver(names.origins, list(program.sources))
     constants = [
-        Part(place, [(0, f"{name} = {text}", place)], False)
+        Part(_before_class(place, typed, names), [(0, f"{name} = {text}", place)], False)
         for name, (place, text) in sorted(names.constants.items(), key=_place_and_value)
     ]
     return weaver.text(
@@ -133,4 +165,5 @@ def ported(program: Understood) -> str:
         helpers=porter.helpers.lines(),
         notes=[],
         main=typed.main.python,
+        deep=facts.recurs,
     )

@@ -248,7 +248,7 @@ class PortLibrary(PortValues):
     def formatted(self, values: tuple[Value, ...]) -> Code:
         """What sprintf() writes: an f-string where that is exactly the same."""
         format_, *rest = values
-        codes = [self.printed(one) for one in rest]
+        codes = self.ordered(tuple(rest), lambda place, one: self.printed(one))
         text = format_.operand if isinstance(format_, Address) else None
         if isinstance(text, Quoted):
             types = [one.type for one in rest]

@@ -149,8 +149,7 @@ class PortObjects(PortWords):
 
     def function(self, value: Invocation | MethodCall) -> str:
         """What is called."""
-        if isinstance(value, MethodCall):
-            raise self.refuse(value.place, "a method")
+        assert isinstance(value, Invocation)
         function = value.function
         while isinstance(function, Converted):
             function = function.operand
@@ -160,8 +159,6 @@ class PortObjects(PortWords):
 
     def created(self, value: Creation) -> Code:
         """`new`: an object, an array or a number."""
-        if value.constructor is not None:
-            raise self.refuse(value.place, "a constructor")
         shape = self.shapes.shape(value) if isinstance(value.type, PointerType) else ""
         return self.memory_of(value, shape)
 
@@ -185,8 +182,6 @@ class PortObjects(PortWords):
 
     def destroyed(self, value: Destruction) -> Code:
         """`delete`: Python forgets by itself."""
-        if value.destructor is not None:
-            raise self.refuse(value.place, "a destructor")
         return Code("")
 
     def listed(self, value: Listed) -> Code:

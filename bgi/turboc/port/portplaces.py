@@ -40,7 +40,17 @@ from bgi.turboc.faults import CError, Place
 from bgi.turboc.port.facts import Facts
 from bgi.turboc.port.helpers import Helpers
 from bgi.turboc.port.outs import Outs
-from bgi.turboc.port.pointershapes import BYTES, CURSOR, IMAGE, LIST, OBJECT, TEXT, Key, Shapes
+from bgi.turboc.port.pointershapes import (
+    BYTES,
+    CURSOR,
+    IMAGE,
+    LIST,
+    OBJECT,
+    TEXT,
+    Key,
+    Shapes,
+    is_flattened,
+)
 from bgi.turboc.port.portnames import Names
 from bgi.turboc.port.pycode import Code, binary, call, choice, plain, quoted
 
@@ -86,7 +96,7 @@ class PortPlaces:
         self.indent += 1
         before = len(self.lines)
         yield
-        if len(self.lines) == before:
+        if not any(text for _, text, _ in self.lines[before:]):
             self.line("pass")
         self.indent -= 1
 
@@ -151,7 +161,8 @@ class PortPlaces:
         """A place that is assigned to."""
         symbol = value.symbol if isinstance(value, Variable) else None
         if symbol is not None and symbol.kind == "global" and symbol not in self.cells:
-            self.assigned.add(self.name_of(symbol))
+            name = self.name_of(symbol)
+            self.assigned |= {name} if "." not in name else set()
         return self.place_code(value)
 
     def variable(self, symbol: Symbol) -> Code:
@@ -222,6 +233,9 @@ class PortPlaces:
     def pointer(self, value: Value, wanted: str) -> Code:
         """A pointer, in the shape that is wanted."""
         while isinstance(value, Converted) and isinstance(value.operand.type, PointerType):
+            if is_flattened(value):
+                rows = self.pointer(value.operand, LIST)
+                return Code(f"[one for row in {rows} for one in row]")
             value = value.operand
         match value:
             case Constant() | Converted(operand=Constant()):

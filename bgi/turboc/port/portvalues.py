@@ -47,6 +47,7 @@ from bgi.turboc.checker.types import (
 )
 from bgi.turboc.emitter.wrapping import cut
 from bgi.turboc.port import walking
+from bgi.turboc.port.magnitudes import HIGHEST, magnitude
 from bgi.turboc.port.pointershapes import CURSOR, TEXT
 from bgi.turboc.port.porttests import PortTests
 from bgi.turboc.port.pycode import (
@@ -69,7 +70,22 @@ class PortValues(PortTests):
     """What the targets of the updates around hold."""
 
     def value(self, value: Value) -> Code:
-        """A value."""
+        """A value; a whole number is cut to its 16 bits where it may have more of them."""
+        code = self.raw(value)
+        type_ = value.type
+        if isinstance(type_, IntType) and type_.bits == 16 and self._is_seen(value):
+            if not type_.signed:
+                return binary("&", code, Code("0xFFFF"))
+            return call(self.helpers.use("int16"), [code])
+        return code
+
+    def _is_seen(self, value: Value) -> bool:
+        """Whether a number of 16 bits may well be too large for them."""
+        computed = isinstance(value, (Arithmetic, Signed, Converted))
+        return computed and magnitude(value, self.facts.known) > HIGHEST
+
+    def raw(self, value: Value) -> Code:
+        """A value; a whole number may have more bits than its type."""
         return self.names.named(value) or _WRITERS[type(value)](self, value)
 
     # Numbers
@@ -162,7 +178,7 @@ class PortValues(PortTests):
     # Operations
 
     def _signed(self, value: Signed) -> Code:
-        return signed(value.op, self.value(value.operand))
+        return signed(value.op, self.raw(value.operand))
 
     def _truth(self, value: Value) -> Code:
         return call("int", [self.test(value)])
@@ -171,11 +187,9 @@ class PortValues(PortTests):
         op, left, right = value.op, value.left, value.right
         if op in ("/", "%") and isinstance(value.type, IntType):
             return self._division(value)
-        return binary(op, self.operand(left), self.operand(right))
-
-    def operand(self, value: Value) -> Code:
-        """A value to compute with: what is true counts as 1."""
-        return self.value(value)
+        if op in ("+", "-", "*") and isinstance(value.type, IntType):
+            return binary(op, self.raw(left), self.raw(right))
+        return binary(op, self.value(left), self.value(right))
 
     def _division(self, value: Arithmetic) -> Code:
         """C divides towards zero, Python downwards."""
@@ -204,6 +218,8 @@ class PortValues(PortTests):
             if isinstance(operand.type, IntType):
                 raise self.refuse(value.place, "a number used as an address")
             return self.value(operand)
+        if isinstance(type_, IntType) and isinstance(operand.type, IntType):
+            return self.raw(operand) if type_.bits <= operand.type.bits else self.value(operand)
         if isinstance(operand.type, PointerType) and isinstance(type_, IntType):
             raise self.refuse(value.place, "a pointer used as a number")
         return self.value(operand)

@@ -65,7 +65,7 @@ def ranged(loop: Loop, changed: set[Symbol]) -> Range | None:
         return None
     if not isinstance(end.type, IntType) or variable in walking.written(loop.body):
         return None
-    if variable in changed or not _stays(end, loop, changed):
+    if variable in changed or not _stays(end, loop, changed, variable):
         return None
     beyond = (1 if step > 0 else -1) if op in ("<=", ">=") else 0
     return Range(variable, start, end, beyond, step, by)
@@ -113,7 +113,7 @@ def _step(value: Value, variable: Symbol) -> tuple[int, Value | None]:
     return 0, None
 
 
-def _stays(end: Value, loop: Loop, others: set[Symbol]) -> bool:
+def _stays(end: Value, loop: Loop, others: set[Symbol], variable: Symbol) -> bool:
     """Whether the end of a loop is the same each time."""
     changed = walking.written(loop.body)
     calls = walking.calls_own(loop.body)
@@ -129,7 +129,7 @@ def _stays(end: Value, loop: Loop, others: set[Symbol]) -> bool:
             case LibraryCall() | Store() | Update() | Advance():
                 return False
             case Variable(symbol=symbol):
-                if symbol in changed or symbol in others:
+                if symbol in changed or symbol in others or symbol is variable:
                     return False
             case Field(name=name):
                 if name in stored or calls:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bgi.turboc.checker.typed import Act, Branch, Group, Leave, Select
 from bgi.turboc.port import walking
 
-MOST_COPIES = 40
+MOST_COPIES = 150
 """Statements that may be written a second time for a part that falls through."""
 
 

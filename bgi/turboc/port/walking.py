@@ -170,6 +170,11 @@ def ends_here(thing: list[Act]) -> bool:
             return ends_here(act.items)
         if isinstance(act, Branch) and act.no is not None:
             return ends_here([act.yes]) and ends_here([act.no])
+        if isinstance(act, Select):
+            parts = [body for _, body in act.parts]
+            whole = any(None in values for values, _ in act.parts)
+            left = any(leaves_switch(body) for body in parts)
+            return whole and not left and bool(parts[-1]) and ends_here(parts[-1])
         return isinstance(act, (Leave, Give, Again, Jump))
     return False
 

@@ -8,6 +8,12 @@ from bgi.turboc.faults import Place
 from bgi.turboc.port.origin import Comment, Origin
 from bgi.turboc.port.pycode import WIDTH, wrapped
 
+AWAY, BACK, BLANK = "\0away", "\0back", "\0blank"
+"""Where a method's body begins that stands elsewhere in the source, where it ends, a blank line."""
+
+DEEPEST = 100_000
+"""Calls within each other, in a program whose functions call themselves."""
+
 Line = tuple[int, str, Place | None]
 
 
@@ -24,6 +30,8 @@ class Weaver:
         self._order = {file: place for place, file in enumerate([*files[1:], *files[:1]])}
         self._waiting = {file: list(origin.comments) for file, origin in origins.items()}
         self._out: list[str] = []
+        self._left: list[tuple[list[Comment], int]] = []
+        """What waited where the source was left for a method's body."""
         self._last: dict[str, int] = {}
         """The line of each source that was written last."""
 
@@ -36,6 +44,7 @@ class Weaver:
         helpers: list[str],
         notes: list[str],
         main: str,
+        deep: bool,
     ) -> str:
         """The whole program."""
         ordered = sorted(parts, key=lambda one: (self._order.get(one[0].file, -1), one[0][1:]))
@@ -56,7 +65,10 @@ class Weaver:
             self._part(place, lines, high or tall, tall)
             tall = high
         self._rest(file)
-        self._out += ["", "", 'if __name__ == "__main__":', f"    {main}()"]
+        self._out += ["", "", 'if __name__ == "__main__":']
+        if deep:  # a function may call itself as often as its stack of 64 KB let it
+            self._out.append(f"    sys.setrecursionlimit({DEEPEST:_})")
+        self._out.append(f"    {main}()")
         return "\n".join(_tidied(self._out)) + "\n"
 
     def _head(self, file: str, first: Place) -> list[str]:
@@ -94,11 +106,28 @@ class Weaver:
             self._close_up(place)
         deepest = 0
         for indent, text, at in lines:
+            if text in (AWAY, BACK, BLANK):
+                self._elsewhere(text, at)
+                continue
             if at is not None and at.file in self._origins:
                 self._comments(at, indent, deepest, bool(text))
             if text:
                 self._put(indent, text, at)
             deepest = indent
+
+    def _elsewhere(self, text: str, at: Place | None) -> None:
+        """Go to where a method's body stands in the source, with its comments, and come back."""
+        if text == BLANK:
+            self._out.append("")
+        elif at is not None and at.file in self._origins and text == AWAY:
+            origin = self._origins[at.file]
+            first, last = origin.around(at.line)
+            own = [one for one in self._waiting[at.file] if first <= one.line <= last]
+            rest = [one for one in self._waiting[at.file] if one not in own]
+            self._left.append((rest, self._last.get(at.file, 0)))
+            self._waiting[at.file], self._last[at.file] = own, first - 1
+        elif at is not None and at.file in self._origins:
+            self._waiting[at.file], self._last[at.file] = self._left.pop()
 
     def _close_up(self, place: Place) -> None:
         """Constants and variables that stand together in the source do so here."""

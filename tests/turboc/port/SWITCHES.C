@@ -22,6 +22,31 @@ void prizes(int place)
     printf("\n");
 }
 
+/* In C of 16 bits, 300 times 300 is 24,464. */
+int area(int width, int height)
+{
+    int pixels = width * height;
+
+    if (pixels < 0)
+        goto wrong;
+    return pixels;
+wrong:
+    printf("too large\n");
+    return 0;
+}
+
+void ask(void)
+{
+    char c;
+
+again:
+    printf("again? ");
+    c = getch();
+    if (c != 13)
+        goto again;
+    printf("\n");
+}
+
 int sum(int *from, int *to)
 {
     int total = 0;
@@ -58,5 +83,6 @@ void main(void)
     printf("the 9 is at %d, %d / 2 = %d\n", i, -7, -7 / 2);
     while ((c = getch()) != 27)
         calls++;
-    printf("%d keys\n", calls);
+    printf("%d keys, %d\n", calls, area(300, 300) + area(200, 200));
+    ask();
 }

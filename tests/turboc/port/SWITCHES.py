@@ -4,6 +4,11 @@ from bgi import getch
 from bgi.stdio import printf
 
 
+def int16(number):
+    """A number as an int of 16 bits holds it: 32,768 is -32,768."""
+    return (number + 0x8000) % 0x10000 - 0x8000
+
+
 def char_at(string, index):
     """The code of a character; 0 behind the last one, as in C."""
     return ord(string[index]) if index < len(string) else 0
@@ -63,6 +68,25 @@ def prizes(place):
     printf("\n")
 
 
+# In C of 16 bits, 300 times 300 is 24,464.
+def area(width, height):
+    pixels = int16(width * height)
+
+    if pixels < 0:
+        printf("too large\n")
+        return 0
+    return pixels
+
+
+def ask():
+    while True:
+        printf("again? ")
+        c = getch()
+        if c == 13:
+            break
+    printf("\n")
+
+
 def sum_2(from_, to):
     total = 0
 
@@ -100,7 +124,8 @@ def main():
     printf("the 9 is at %d, %d / 2 = %d\n", i, -7, int(-7 / 2))
     while (c := getch()) != 27:
         calls += 1
-    printf("%d keys\n", calls)
+    printf("%d keys, %d\n", calls, area(300, 300) + area(200, 200))
+    ask()
 
 
 if __name__ == "__main__":
