@@ -9,7 +9,7 @@ from bgi.memory.pixmap import Mask, Pixels, Pixmap
 from bgi.raster.arrays import repeat
 from bgi.raster.ellipses import FigureRows
 from bgi.raster.floodfill import flood
-from bgi.raster.lines import CHUNK, Box, Ints, grouped
+from bgi.raster.lines import Box, Ints, grouped
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, Ink, ink
 from bgi.raster.polygons import Rows
 from bgi.raster.spans import Spans
@@ -22,6 +22,9 @@ KEPT_INKS = 1 << 21
 """Bytes of patterns in colours that a page keeps."""
 OWNER = np.dtype(np.int16)
 """Of the numbers of polygons that are filled together: numpy sets pixels fast in their own type."""
+_TOGETHER = 1 << 14
+"""Pixels of rows that are set at once; no row has more."""
+_STEPS = np.arange(_TOGETHER)
 _NEAR = 32
 """Pixels around a flood's seed: most floods stay within."""
 _WIDE = 64
@@ -129,10 +132,10 @@ class Areas(Pixmap):
         left, right = np.maximum(spans.left, self._left), np.minimum(spans.right, self._right)
         lengths, starts = np.maximum(right - left + 1, 0), spans.y * self.width + left
         inks, owners = fills.astype(self.flat.dtype)[spans.owner], spans.owner.astype(OWNER)
-        for part in grouped(lengths, CHUNK):
+        for part in grouped(lengths, _TOGETHER):
             length = lengths[part]
             place = repeat(starts[part] - (np.cumsum(length) - length), length)
-            place += np.arange(len(place))
+            place += _STEPS[: len(place)]
             self.flat[place] = self._patterned(place, repeat(inks[part], length), rows)
             if last is not None:
                 last[place] = repeat(owners[part], length)

@@ -292,16 +292,26 @@ class Piece(NamedTuple):
 
 
 def _piece(first: int, last: int, rx: int, ry: int, width: int) -> Piece:
-    edge = _curve(first, last, rx, ry, width)
-    dx, dy, _ = edge
-    smooth = len(dx) > 1 and _one_way(dx) and _one_way(dy) and dy[0] * dy[-1] >= 0
-    smooth = smooth and (dx[0], dy[0]) != (dx[-1], dy[-1])
-    return Piece((_smooth_rows if smooth else _scanned_rows)(dx, dy), edge, smooth)
+    dx, dy = arc(first, last, rx, ry)
+    if not _smooth(dx, dy):
+        curve = Curve(dx, dy, offsets(dy * width + dx, reach(dx, dy), width))
+        return Piece(_scanned_rows(dx, dy), curve, False)
+    xs, ys = sorted((int(dx[0]), int(dx[-1]))), sorted((int(dy[0]), int(dy[-1])))
+    extent = xs[0], ys[0], xs[1], ys[1]
+    curve = Curve(dx, dy, offsets(dy * width + dx, extent, width))
+    return Piece(_smooth_rows(dx, dy), curve, True)
 
 
-def _one_way(values: Ints) -> bool:
-    """Whether values only grow or only fall, by 1 at most."""
-    steps = values[1:] - values[:-1]
+def _smooth(dx: Ints, dy: Ints) -> bool:
+    """Whether points only go on, one pixel each time, within a quadrant."""
+    if len(dx) < 2 or dy[0] * dy[-1] < 0 or (dx[0] == dx[-1] and dy[0] == dy[-1]):
+        return False
+    across, down = dx[1:] - dx[:-1], dy[1:] - dy[:-1]
+    return _one_way(across) and _one_way(down)
+
+
+def _one_way(steps: Ints) -> bool:
+    """Whether steps lead one way only, or nowhere, by 1 at most."""
     least, most = int(steps.min()), int(steps.max())
     return least >= -1 and most <= 1 and least * most >= 0
 
