@@ -86,7 +86,7 @@ class Runnable(Understood):
             except SyntaxError as error:
                 place = self.emitted.places[(error.lineno or 1) - 1]
                 what = f"this is too much for Python: {error.msg}"
-                raise CErrors([CError(place, what)]) from None
+                raise self.with_lines(CErrors([CError(place, what)])) from None
 
     def load(self, session: Session) -> dict[str, Any]:
         """The program in Python: its names, with its global variables as they are at first."""

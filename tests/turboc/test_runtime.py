@@ -138,6 +138,9 @@ def test_a_fault_is_told_and_traced(tmp_path: Path) -> None:
     with pytest.raises(ZeroDivisionError):
         traced(tmp_path, lambda c: 1 // 0)
     assert (tmp_path / "trace").read_text(encoding="ascii") == "end divide\n"
+    with pytest.raises(ValueError):
+        traced(tmp_path, lambda c: int(float("nan")))
+    assert (tmp_path / "trace").read_text(encoding="ascii") == "end crash\n"
 
 
 def test_exit_runs_the_functions_of_atexit_backwards(tmp_path: Path) -> None:

@@ -19,11 +19,6 @@ from bgi.turboc.runtime.trace import Trace
 SECONDS = 12
 """Of a processor that a scripted program may take."""
 
-_FAULTS: dict[type[BaseException], str] = {
-    **{ZeroDivisionError: "divide", IndexError: "crash", RecursionError: "crash"},
-    **{TypeError: "crash", AttributeError: "crash"},
-}
-
 
 class ProgramEnd(BaseException):
     """The program ends: by exit(), or since it has done enough."""
@@ -98,8 +93,8 @@ class Session:
         except BGIError as error:
             reason = "nograph"
             self.print(str(error).encode("cp437", "replace") + b"\n")
-        except tuple(_FAULTS) as error:
-            reason = next(why for kind, why in _FAULTS.items() if isinstance(error, kind))
+        except Exception as error:
+            reason = "divide" if isinstance(error, ZeroDivisionError) else "crash"
             raise
         finally:
             self._end(reason)
