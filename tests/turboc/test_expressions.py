@@ -131,12 +131,34 @@ def deeper(inner):
 EXPRESSIONS = st.lists(st.recursive(LEAVES, deeper, max_leaves=10), min_size=20, max_size=40)
 
 
+needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="needs gcc")
+
+
+def literal(number):
+    """A whole number as it is written: INT_MIN as a difference."""
+    text = str(number) if number != -32768 else "(-32767 - 1)"
+    kind = INT if number <= 32767 else LONG
+    return text, cast(text, kind), kind, number
+
+
+def declared(types):
+    """The variables, of the types as one compiler calls them."""
+    text = "".join(f"{types[kind]} {name} = {n};" for name, (kind, n) in VARIABLES.items())
+    return text.replace("-2147483648", "-2147483647 - 1")
+
+
+def compiled(folder, text):
+    """What a program prints that gcc has compiled."""
+    (folder / "g.c").write_text(f"#include <stdio.h>\n{text}")
+    command = ["gcc", "-w", "-fwrapv", "-fno-builtin", "-o", folder / "g", folder / "g.c"]
+    subprocess.run(command, check=True)
+    return subprocess.run([folder / "g"], capture_output=True, text=True, check=True).stdout
+
+
 def results(path, expressions):
     """What the program of the expressions makes of them."""
-    declared = "".join(f"{NAMES[kind]} {name} = {n};" for name, (kind, n) in VARIABLES.items())
-    declared = declared.replace("-2147483648", "-2147483647 - 1")
     body = "".join(f"r[{at}] = {one[0]};\n" for at, one in enumerate(expressions))
-    path.write_text(f"{declared} long r[{len(expressions)}]; void main() {{ {body} }}")
+    path.write_text(f"{declared(NAMES)} long r[{len(expressions)}]; void main() {{ {body} }}")
     names = Runnable(str(path), {}).load(Session())
     names["main"]()
     return names["r"]
@@ -156,14 +178,127 @@ def test_bits_are_cut_where_they_can_be_seen(folder, expressions):
     }
 
 
-@pytest.mark.skipif(shutil.which("gcc") is None, reason="needs gcc")
+@needs_gcc
 @settings(max_examples=4, deadline=None)
 @given(expressions=EXPRESSIONS)
 def test_gcc_agrees(folder, expressions):
-    source, program = folder / "g.c", folder / "g"
-    declared = "".join(f"volatile {GCC[k]} {name} = {n}LL;" for name, (k, n) in VARIABLES.items())
     body = "".join(f'printf("%d ", (int) {one[1]});\n' for one in expressions)
-    source.write_text(f"#include <stdio.h>\n{declared} int main() {{ {body} return 0; }}")
-    subprocess.run(["gcc", "-w", "-fwrapv", "-o", program, source], check=True)
-    said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    said = compiled(folder, f"{declared(GCC)} int main() {{ {body} return 0; }}")
     assert results(folder / "T.C", expressions) == [int(word) for word in said.split()]
+
+
+STEPS = st.lists(
+    st.tuples(
+        st.sampled_from(list(VARIABLES)),
+        st.sampled_from([*OPERATIONS, "<<", ">>", "=", "++", "--"]),
+        st.sampled_from(list(VARIABLES)) | st.integers(-300, 300),
+    ),
+    min_size=20,
+    max_size=40,
+)
+
+
+def followed(steps):
+    """Assignments in C and for gcc, and what the variables hold behind them."""
+    holds = {name: number for name, (_, number) in VARIABLES.items()}
+    lines: list[str] = []
+    gcc: list[str] = []
+    for name, op, other in steps:
+        kind = VARIABLES[name][0]
+        own = (name, name, kind, holds[name])
+        if op in ("++", "--"):
+            made, text = binary(op[0], own, literal(1)), f"{name}{op}"
+        elif op in ("<<", ">>"):
+            count = len(lines) % 16
+            made, text = shifted(op, own, count), f"{name} {op}= {count}"
+        else:
+            right = literal(other) if isinstance(other, int) else None
+            right = right or (other, other, VARIABLES[other][0], holds[other])
+            if op in "/%" and right[3] in (0, -1):
+                continue
+            made = right if op == "=" else binary(op, own, right)
+            text = f"{name} {op.rstrip('=')}= {right[0]}"
+        holds[name] = fitted(made[3], kind)
+        lines.append(f"{text};")
+        gcc.append(f"{name} = {cast(made[1], kind)};")
+    return lines, gcc, holds
+
+
+@settings(max_examples=60, deadline=None)
+@given(steps=STEPS)
+def test_what_is_assigned_is_cut_to_the_variable(folder, steps):
+    lines, _, holds = followed(steps)
+    assert left_behind(folder, lines) == list(holds.values())
+
+
+@needs_gcc
+@settings(max_examples=4, deadline=None)
+@given(steps=STEPS)
+def test_gcc_assigns_the_same(folder, steps):
+    lines, gcc, _ = followed(steps)
+    shown = "".join(f'printf("%d ", (int) {name});' for name in VARIABLES)
+    said = compiled(folder, f"{declared(GCC)} int main() {{ {' '.join(gcc)} {shown} return 0; }}")
+    assert left_behind(folder, lines) == [
+        number & 0xFFFFFFFF if VARIABLES[name][0] == ULONG else number
+        for name, number in zip(VARIABLES, map(int, said.split()), strict=True)
+    ]
+
+
+def left_behind(folder, lines):
+    """What the variables hold behind assignments, in a function of which they are locals."""
+    kept = "".join(f"k_{name} = {name};" for name in VARIABLES)
+    kinds = "".join(f"{NAMES[kind]} k_{name};" for name, (kind, _) in VARIABLES.items())
+    path = folder / "S.C"
+    path.write_text(f"{kinds} void main() {{ {declared(NAMES)} {' '.join(lines)} {kept} }}")
+    names = Runnable(str(path), {}).load(Session())
+    names["main"]()
+    return [names[f"k_{name}"] for name in VARIABLES]
+
+
+def ends_of(kind):
+    """A type, and numbers at which a loop over it may end: near its own."""
+    low, high = (
+        (-(1 << kind[0] - 1), (1 << kind[0] - 1) - 1) if kind[1] else (0, (1 << kind[0]) - 1)
+    )
+    near = [low, low + 1, low + 20, 0, 3, high - 20, high - 1, high]
+    return st.tuples(st.just(kind), st.sampled_from(near))
+
+
+SIZES = {
+    "7": lambda s: 7,
+    "s": int,
+    "(s & 7)": lambda s: s & 7,
+    "(s & 7) + 1": lambda s: (s & 7) + 1,
+}
+
+
+@settings(max_examples=250, deadline=None)
+@given(
+    end=st.sampled_from([INT, UNSIGNED, (8, True), (8, False)]).flatmap(ends_of),
+    before=st.integers(-60, 60),
+    s=st.integers(0, 40),
+    size=st.sampled_from(list(SIZES)),
+    op=st.sampled_from(["<", "<=", ">", ">="]),
+    up=st.booleans(),
+    more=st.integers(-3, 3),
+    named=st.booleans(),
+)
+def test_loops_count_as_in_c(folder, end, before, s, size, op, up, more, named):
+    """Whether they become ranges or not; those that do not end are left after 50 turns."""
+    kind, last = end
+    begin = i = fitted(last + before, kind)
+    step, turns, total = SIZES[size](s), 0, 0
+    limit = ("e", "e", kind, last) if named else literal(last)
+    while turns < 50 and binary(op, ("i", "i", kind, i), limit)[3]:
+        turns += 1
+        total += binary("+", ("i", "i", kind, i), literal(more))[3]
+        i = fitted(i + (step if up else -step), kind)
+    path = folder / "L.C"
+    path.write_text(
+        f"long total, last; int turns; void main() {{ {NAMES[kind]} i, e = {literal(last)[0]};"
+        f"int s = {s}; for (i = {literal(begin)[0]}; i {op} {limit[0]}; i {'-+'[up]}= {size})"
+        f"{{ if (turns == 50) break; turns++; total += i + {more}; }} last = i; }}"
+    )
+    names = Runnable(str(path), {}).load(Session())
+    names["main"]()
+    assert (names["turns"], names["total"], names["last"]) == (turns, total, i)
