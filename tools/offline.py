@@ -19,6 +19,9 @@ from tools import pictures, sheet
 FOLDER = "course"
 """What the zip unpacks to."""
 
+EXPECTED = pictures.COURSE / "expected"
+"""The pictures that exercises should draw."""
+
 UNUSED = {"bin", "include", "tests", "examples", "docs"}
 """Folders of the packages that no program needs."""
 
@@ -53,6 +56,7 @@ def collect(packages: Path, version: str) -> dict[str, Path | str]:
         name = file.relative_to(packages)
         if file.is_file() and not UNUSED & {*name.parts[:2]} and file.suffix != ".pyc":
             found[name.as_posix()] = file
+    found |= {f"expected/{file.name}": file for file in EXPECTED.iterdir()}
     return found | {file.name: file for file in [*pictures.COURSE.glob("*.py"), sheet.FILE]}
 
 

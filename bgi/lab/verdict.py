@@ -30,8 +30,8 @@ class Verdict:
 
     def __str__(self) -> str:
         if self.right:
-            cases = f"all {self.tried} cases" if self.tried > 1 else "it"
-            return f"{self.exercise}: right, {cases}"
+            cases = f", all {self.tried} cases" if self.tried > 1 else ""
+            return f"{self.exercise}: right{cases}"
         words = [f"{self.exercise}: wrong in {self.tried - self.passed} of {self.tried} cases"]
         if self.tried == 1:
             words = [f"{self.exercise}: wrong"]

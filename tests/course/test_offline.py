@@ -30,5 +30,8 @@ def test_it_holds_the_lessons_and_not_their_solutions(tmp_path: Path):
     (tmp_path / "tests").mkdir()
     (tmp_path / "tests" / "test_it.py").touch()
     held = offline.collect(tmp_path, "3.13")
-    assert {*held} == {"README.txt", "sheet.html", *(f.name for f in pictures.COURSE.glob("*.py"))}
+    files = [*pictures.COURSE.glob("*.py"), *pictures.COURSE.glob("expected/*.png")]
+    names = [file.relative_to(pictures.COURSE).as_posix() for file in files]
+    assert "expected/01_frame.png" in names
+    assert {*held} == {"README.txt", "sheet.html", *names}
     assert "Python 3.13" in str(held["README.txt"])

@@ -30,7 +30,7 @@ def file(tmp_path):
 def test_the_same_picture_is_right(file):
     house()
     verdict = check.picture(file)
-    assert verdict and str(verdict) == "picture: right, it"
+    assert verdict and str(verdict) == "picture: right"
 
 
 def test_what_differs_is_counted_and_shown(file):

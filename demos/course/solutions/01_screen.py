@@ -5,7 +5,12 @@
 The exercises stand on the page docs/course/01-screen.md.
 """
 
+from pathlib import Path
+
 from bgi import *
+from bgi.lab import check
+
+EXPECTED = Path(__file__).parents[1] / "expected"
 
 
 def frame(color):
@@ -35,12 +40,19 @@ def plot(x, y, color):
 strict()
 initgraph(VGA, VGAHI)
 frame(YELLOW)
+check.picture(EXPECTED / "01_frame.png")
+
+cleardevice()
 chessboard(20, 20, 16)
-for x in range(-319, 320):
+check.picture(EXPECTED / "01_chessboard.png")
+
+cleardevice()
+for x in range(-320, 320):
     plot(x, 0, DARKGRAY)
-for y in range(-239, 240):
+for y in range(-239, 241):
     plot(0, y, DARKGRAY)
 for x in range(-150, 151):
     plot(x, x * x // 100, LIGHTGREEN)
+check.picture(EXPECTED / "01_parabola.png")
 getch()
 closegraph()
