@@ -216,6 +216,7 @@ LAYERS = [
     "bgi.turboc.port.outs",
     "bgi.turboc.port.pointershapes",
     "bgi.turboc.port.shaping",
+    "bgi.turboc.port.singles",
     "bgi.turboc.port.magnitudes",
     "bgi.turboc.port.facts",
     "bgi.turboc.port.switches",

@@ -35,6 +35,7 @@ _MODULES = {
 }
 
 _ALIKE = {
+    *(["registerbgidriver", "registerbgifont", "registerfarbgidriver", "registerfarbgifont"]),
     *declarations(graphicslib.DIRECT),
     *declarations(pclib.DIRECT),
     *declarations(pclib.TRACED),

@@ -13,9 +13,7 @@ from bgi.turboc.understanding import Understood
 PORTS = Path(__file__).parent / "port"
 DEMOS = Path(__file__).parents[2] / "demos" / "c"
 SOURCES = sorted(PORTS.glob("*.C*"))
-ELSE = {"BALLS.C": "its floats have 64 bits in Python, so that a ball is drawn beside its place"}
-"""Demos that do not do quite the same."""
-ALIKE = [*SOURCES, *(one for one in sorted(DEMOS.iterdir()) if one.name not in ELSE)]
+ALIKE = [*SOURCES, *sorted(DEMOS.glob("*.C*"))]
 
 
 def names(paths):

@@ -40,6 +40,7 @@ from bgi.turboc.emitter.wrapping import Known, interval, member
 from bgi.turboc.port import walking
 from bgi.turboc.port.outs import LIBRARY_OUTS, Outs
 from bgi.turboc.port.shaping import FILLING
+from bgi.turboc.port.singles import singles
 
 FILLED = {
     **FILLING,
@@ -68,6 +69,8 @@ class Facts:
         self.known: Known = {}
         """Whole numbers that are never negative: variables and members."""
         self._never_negative(program)
+        self.singles = singles(program)
+        """Those that have 32 bits, and where it is seen."""
         self.pure: set[Symbol] = set()
         """Parameters that answer, and are not looked at before."""
         self._pure(program)

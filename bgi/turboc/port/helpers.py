@@ -73,18 +73,15 @@ def int16(number):
     """A number as an int of 16 bits holds it: 32,768 is -32,768."""
     return (number + 0x8000) % 0x10000 - 0x8000
 ''',
-    "power": '''
-def power(x, y):
-    """pow() of C: 0 where the result is not defined."""
-    try:
-        return math.pow(x, y)
-    except (ValueError, OverflowError):
-        return 0.0
-''',
-    "single": '''
-def single(number):
-    """A number as a float of 32 bits holds it."""
+    "float32": '''
+def float32(number):
+    """A number as a float of C holds it: in 32 bits, with some 7 digits."""
     return struct.unpack("f", struct.pack("f", number))[0]
+''',
+    "rounded": '''
+def rounded(number):
+    """The nearest whole number; a half goes away from 0, as in C."""
+    return int(number + 0.5) if number >= 0 else -int(0.5 - number)
 ''',
 }
 
@@ -101,6 +98,11 @@ class Helpers:
         if name not in self._names:
             self._names[name] = self._namer.name(name)
         return Code(self._names[name])
+
+    @property
+    def modules(self) -> set[str]:
+        """The modules that they need."""
+        return {"struct"} if "float32" in self._names else set()
 
     def lines(self) -> list[str]:
         """Their definitions, each with two blank lines before it."""

@@ -38,7 +38,8 @@ from bgi.turboc.port.facts import READ
 from bgi.turboc.port.pointershapes import TEXT
 from bgi.turboc.port.portloops import PortLoops
 from bgi.turboc.port.portplaces import REGISTERS
-from bgi.turboc.port.pycode import Code, negated
+from bgi.turboc.port.pycode import Code, call, negated
+from bgi.turboc.port.singles import loses
 from bgi.turboc.port.switches import TooMuch, parts_of
 
 
@@ -109,6 +110,8 @@ class PortActions(PortLoops):
             code = self.reference(act.value, symbol.type, "")
         else:
             code = self.initial(act.value, symbol.type, key)
+            if symbol in self.facts.singles and loses(act.value):
+                code = call(self.helpers.use("float32"), [code])
         return Code(f"[{code}]") if symbol in self.cells else code
 
     def _sized(self, symbol: Symbol, code: Code) -> Code:

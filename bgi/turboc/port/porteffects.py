@@ -36,6 +36,7 @@ from bgi.turboc.port import walking
 from bgi.turboc.port.pointershapes import CURSOR, OBJECT, TEXT
 from bgi.turboc.port.portclasses import PortClasses
 from bgi.turboc.port.pycode import Code, negated
+from bgi.turboc.port.singles import loses, place_key
 
 _IN_PLACE = ("+", "-", "*", "/", "//", "%", "<<", ">>", "&", "|", "^")
 
@@ -152,6 +153,8 @@ class PortEffects(PortClasses):
             return False
         if isinstance(given.type, FloatType) and isinstance(value.type, IntType):
             return False
+        if place_key(value.target) in self.facts.singles and loses(given):
+            return False
         right = self.value(given.right)
         self.line(f"{self.target(value.target)} {given.op}= {right}")
         return True
@@ -182,7 +185,8 @@ class PortEffects(PortClasses):
                 op = "//" if positive else ""
             if op == "%" and not (self.positive(value.target) and self.positive(result.right)):
                 op = ""
-            if op in _IN_PLACE and value.type not in (CHAR, UCHAR):
+            single = place_key(value.target) in self.facts.singles and loses(result)
+            if op in _IN_PLACE and value.type not in (CHAR, UCHAR) and not single:
                 self.line(f"{target} {op}= {self.value(result.right)}")
                 return
         code = self.fitted(value.result, value.type, self.updated(value), value.target)

@@ -151,6 +151,7 @@ def ported(program: Understood) -> str:
         porter = _Porter(program.headers, names, shaper.shapes, outs, facts)
         porter.cells = shaper.cells
         parts = porter.program(typed)
+    names.modules |= porter.helpers.modules
     if facts.recurs:
         names.modules.add("sys")
     weaver = Weaver(names.origins, list(program.sources))

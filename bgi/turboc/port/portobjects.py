@@ -34,6 +34,7 @@ from bgi.turboc.emitter.wrapping import fits, interval
 from bgi.turboc.port.pointershapes import BYTES, CURSOR, LIST, OBJECT, TEXT, Key, owner
 from bgi.turboc.port.portwords import PortWords
 from bgi.turboc.port.pycode import Code, binary, call
+from bgi.turboc.port.singles import loses, place_key
 
 
 class PortObjects(PortWords):
@@ -47,6 +48,8 @@ class PortObjects(PortWords):
 
     def fitted(self, value: Value, type_: Type, code: Code, target: Value | None = None) -> Code:
         """A number for a place of 8 bits, cut off if it may be larger."""
+        if target is not None and place_key(target) in self.facts.singles and loses(value):
+            return call(self.helpers.use("float32"), [code])
         if isinstance(type_, FloatType) and code.isdecimal():
             return Code(f"{code}.0")
         text = isinstance(target, Element) and self.shapes.shape(target.base) == BYTES

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from bgi.turboc.checker.typed import Address, Constant, Converted, LibraryCall, Value
+import bgi
+from bgi.turboc.checker.typed import Address, Constant, Converted, LibraryCall, Value, Variable
 from bgi.turboc.checker.types import StructType
 from bgi.turboc.port.portlibrary import MODULES, PortLibrary
 from bgi.turboc.port.pycode import Code, binary, call
@@ -139,6 +140,21 @@ def _system(writer: PortWords, value: LibraryCall) -> Code:
     raise writer.refuse(value.place, "system(): it would start another program")
 
 
+def _register(writer: PortWords, value: LibraryCall) -> Code:
+    """A driver or a font that was linked into the program."""
+    linked = value.arguments[0]
+    while isinstance(linked, Converted):
+        linked = linked.operand
+    if not isinstance(linked, Variable) or linked.symbol.name not in bgi.__all__:
+        raise writer.refuse(value.place, f"what {value.name}() is given")
+    name = writer.names.use("bgi", linked.symbol.name)
+    return call(writer.names.use("bgi", value.name), [name])
+
+
+def _round(writer: PortWords, value: LibraryCall) -> Code:
+    return call(writer.helpers.use("rounded"), [writer.value(value.arguments[0])])
+
+
 _SPECIAL: dict[str, _Writer] = {
     "strcpy": _fill(lambda writer, value: writer.string(value.arguments[1])),
     "strncpy": _fill(lambda writer, value: _cut(writer, *value.arguments[1:3])),
@@ -158,6 +174,8 @@ _SPECIAL: dict[str, _Writer] = {
     **{"_exit": _exit, "strlen": _length, "system": _system},
     **dict.fromkeys(("abs", "labs", "fabs"), _abs),
     **dict.fromkeys(("printf", "cprintf"), _printf),
+    **dict.fromkeys(("registerbgidriver", "registerfarbgidriver"), _register),
+    **{"registerbgifont": _register, "registerfarbgifont": _register, "round": _round},
     "toupper": _letter("ord(@.upper())"),
     "tolower": _letter("ord(@.lower())"),
     **{f"is{one}": _letter(f"@.is{one}()") for one in ("digit", "alpha", "alnum", "space")},

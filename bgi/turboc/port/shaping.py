@@ -134,6 +134,8 @@ class Shaper:
                 self._call(value)
             case LibraryCall(name=name, arguments=arguments):
                 self._library(name, arguments)
+                if is_text(value.type) and name not in FILLING:
+                    self.shapes.memory(self.shapes.key(value)).flags.add("text")
             case Creation(arguments=arguments, constructor=constructor):
                 if constructor is not None:
                     self._arguments(constructor, arguments)
