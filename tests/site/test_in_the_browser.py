@@ -300,6 +300,22 @@ def test_a_block_of_the_documentation_runs(browser: Browser, address: str) -> No
     tab.close()
 
 
+def test_a_lesson_and_its_program_run(browser: Browser, address: str) -> None:
+    tab = visit(browser, f"{address}docs/course/01-screen.html")
+    first = "document.querySelector('pre.runs:has(+ .bar + p img) + .bar button')"
+    tab.evaluate(f"{first}.click()")
+    wait(tab, f"document.querySelector('.player') && {ENDED} === '0'")
+    name = tab.evaluate("document.querySelector('article img').src").rpartition("/")[2]
+    expected = load(pictures.PICTURES / name).rgba[..., :3]
+    height, width, _ = expected.shape
+    assert (canvas(tab)[:height, :width] == expected).all()
+    tab.evaluate("[...document.querySelectorAll('pre.runs + .bar button')].at(-2).click()")
+    assert same_in_time(tab, load(pictures.LESSONS_PICTURES / "01_screen.png").rgba[..., :3])
+    tab.press("x", "KeyX")
+    assert printed(tab) == ""
+    tab.close()
+
+
 def test_a_program_in_c_of_the_documentation_runs(browser: Browser, address: str) -> None:
     tab = visit(browser, f"{address}docs/from-c.html")
     tab.evaluate("document.querySelector('pre.runs[data-name$=C] + .bar button').click()")
