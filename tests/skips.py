@@ -51,6 +51,7 @@ REASONS = {
     "argparse speaks otherwise": BROWSER,
     "no array is so large": BROWSER,
     "endless recursion through C ends Python": BROWSER,
+    "Python is always at a prompt": BROWSER,
     "uses POSIX signals or fork": WINDOWS,
     "uses POSIX descriptors": WINDOWS,
     "looks into /proc": not LINUX,
