@@ -22,7 +22,7 @@ from bgi.monitor.display import Display, free_name
 from bgi.monitor.inputs import Inputs
 from bgi.monitor.letters import at_moment
 from bgi.monitor.pace import FACTS_SECONDS, IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
-from bgi.monitor.protocol import encode, receive
+from bgi.monitor.protocol import encode, receive, take_pipes
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.speaker import Speaker
 
@@ -228,9 +228,9 @@ class Child:
         return True
 
 
-def _listen(inbox: Inbox) -> None:
+def _listen(told: int, inbox: Inbox) -> None:
     """Hand the program's messages on, and end with the program in any case."""
-    for message in receive(0):
+    for message in receive(told):
         inbox.put(message)
     inbox.put(("end", ""))
     time.sleep(LINGER)
@@ -239,11 +239,7 @@ def _listen(inbox: Inbox) -> None:
 
 def main() -> None:
     """Open the window for the card named on the command line and run it."""
-    # The protocol gets a pipe of its own; whatever a library prints goes to the terminal.
-    output = os.dup(1)
-    os.dup2(2, 1)
-    if sys.platform != "win32":
-        os.set_blocking(output, False)
+    told, output = take_pipes()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C belongs to the program
     handle, folder = sys.argv[1:]
     inbox: Inbox = queue.SimpleQueue()
@@ -255,7 +251,7 @@ def main() -> None:
     pygame.key.set_repeat(500, 33)
     signal.signal(signal.SIGTERM, lambda number, frame: inbox.put(("close", "")))
     os.write(output, encode("ready"))
-    threading.Thread(target=_listen, args=[inbox], daemon=True).start()
+    threading.Thread(target=_listen, args=[told, inbox], daemon=True).start()
     child.run()
     for thread in threading.enumerate():  # a recording that is being written
         if not thread.daemon and thread is not threading.main_thread():

@@ -41,6 +41,7 @@ to the program            meaning
 """
 
 import os
+import sys
 from collections.abc import Iterator
 
 TITLE = "pybgi"
@@ -68,3 +69,20 @@ def receive(fd: int) -> Iterator[tuple[str, str]]:
     while chunk := os.read(fd, 4096):
         *lines, pending = (pending + chunk).split(b"\n")
         yield from map(decode, lines)
+
+
+def take_pipes() -> tuple[int, int]:
+    """The ends of the two pipes in the window's process: what it is told, and where it answers.
+
+    Nothing else comes upon them. What a library prints goes to the terminal, and it reads nothing:
+    on Windows even a library that is only loaded looks at the standard input, and waits there for
+    whoever reads the pipe.
+    """
+    told, answers = os.dup(0), os.dup(1)
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
+    os.dup2(2, 1)
+    if sys.platform != "win32":
+        os.set_blocking(answers, False)
+    return told, answers

@@ -17,7 +17,7 @@ from bgi.memory.card import Card
 from bgi.monitor import art
 from bgi.monitor.letters import at_moment
 from bgi.monitor.pace import FACTS_SECONDS, IDLE_AFTER, IDLE_FRAME, LATE, frame_seconds
-from bgi.monitor.protocol import encode, receive
+from bgi.monitor.protocol import encode, receive, take_pipes
 from bgi.monitor.recorder import Recorder
 from bgi.monitor.web.audience import Audience
 from bgi.monitor.web.guard import Guard
@@ -225,30 +225,26 @@ class WebChild:
         return True
 
 
-def _listen(child: WebChild, loop: asyncio.AbstractEventLoop) -> None:
+def _listen(told: int, child: WebChild, loop: asyncio.AbstractEventLoop) -> None:
     """Hand the program's messages on, and end with the program in any case."""
-    for message in receive(0):
+    for message in receive(told):
         loop.call_soon_threadsafe(child.obey, *message)
     loop.call_soon_threadsafe(child.end)
     time.sleep(LINGER)
     os._exit(0)
 
 
-async def _serve(card: Card, output: int) -> None:
+async def _serve(card: Card, told: int, output: int) -> None:
     child = WebChild(card, output)
     signal.signal(signal.SIGTERM, lambda number, frame: child.close_politely())
     loop = asyncio.get_running_loop()
-    threading.Thread(target=_listen, args=[child, loop], daemon=True).start()
+    threading.Thread(target=_listen, args=[told, child, loop], daemon=True).start()
     await child.run()
 
 
 def main() -> None:
     """Show the card that the command line names."""
-    # The protocol gets a pipe of its own; whatever a library prints goes to the terminal.
-    output = os.dup(1)
-    os.dup2(2, 1)
-    if sys.platform != "win32":
-        os.set_blocking(output, False)
+    told, output = take_pipes()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C belongs to the program
     handle, _ = sys.argv[1:]
     try:
@@ -256,5 +252,5 @@ def main() -> None:
     except ValueError as error:
         os.write(output, encode("failed", error))
         return
-    asyncio.run(_serve(card, output))
+    asyncio.run(_serve(card, told, output))
     os._exit(0)  # at once, whatever threads do
