@@ -1,8 +1,9 @@
 """Calls a learner's function, and comes back from it whatever that does.
 
-An endless loop is ended after so many lines of Python, not after a time: so the answer is the same
-on every machine. They are counted as a debugger counts them, by a trace function; where a real
-debugger is at work, its tracing stays, and only calls that reach the screen are counted.
+An endless loop is ended after so many lines of Python: so the answer is the same on every machine.
+They are counted as a debugger counts them, by a trace function; where a real debugger is at work,
+its tracing stays, and only calls that reach the screen are counted. What gives nothing to count is
+ended after a time (`bgi.lab.alarm`).
 """
 
 from __future__ import annotations
@@ -21,9 +22,12 @@ from typing import Any
 from bgi.errors import brief
 from bgi.graphics import Graphics
 from bgi.graphics.slow import ORDERS
+from bgi.lab.alarm import Alarm
 
 LINES = 400_000
 """Lines of Python that one call may run."""
+SECONDS = 6
+"""For one call that runs no lines to be counted."""
 SCREEN_CALLS = 100_000
 """Pixels that one call may set and ask for."""
 DEEPEST = 20_000
@@ -46,6 +50,9 @@ USUAL = {
 
 class Stopped(BaseException):
     """Ends a function from outside; no `except Exception` holds it up."""
+
+
+_ALARM = Alarm(Stopped)
 
 
 class NotAllowed(Exception):
@@ -142,6 +149,9 @@ class _Printed(io.StringIO):
             super().write(text[:room])
         return len(text)
 
+    def close(self) -> None:
+        """Stays open: what was printed is asked for at the end."""
+
 
 def call(function: Callable[..., Any], arguments: tuple[Any, ...]) -> Outcome:
     """Call a function. Ctrl-C comes through, and nothing else that it raises."""
@@ -149,9 +159,10 @@ def call(function: Callable[..., Any], arguments: tuple[Any, ...]) -> Outcome:
     with _alone() as printed:
         tracing, before = sys.gettrace() is None, sys.gettrace()
         try:
-            if tracing:
-                sys.settrace(watch)
-            value = function(*arguments)
+            with _ALARM.after(SECONDS):
+                if tracing:
+                    sys.settrace(watch)
+                value = function(*arguments)
         except KeyboardInterrupt:
             raise
         except BaseException as error:
@@ -159,7 +170,9 @@ def call(function: Callable[..., Any], arguments: tuple[Any, ...]) -> Outcome:
             trouble = _explained(error, watch)
         finally:
             sys.settrace(before)
-    if watch.why and (trouble is None or trouble.kind == "exception"):  # it held the end up
+    if (watch.why or _ALARM.rang) and (
+        trouble is None or trouble.kind == "exception"
+    ):  # it held the end up
         trouble = _explained(Stopped(), watch)
     return Outcome(value, trouble, watch.deepest, printed.getvalue())
 
@@ -181,8 +194,10 @@ def _explained(error: BaseException, watch: _Watch) -> Trouble:
     if isinstance(error, Stopped):
         if watch.why == "deep":
             return Trouble("deep", f"it was stopped {DEEPEST:,} calls deep, at {watch.where}")
-        lines = f"after {LINES:,} lines of Python" if watch.why else "after very many pixels"
-        return Trouble("endless", f"it does not end: stopped {lines}, at {watch.where or where}")
+        after = f"{LINES:,} lines of Python" if watch.why else "very many pixels"
+        after = f"{SECONDS} seconds" if _ALARM.rang else after
+        place = watch.where or where
+        return Trouble("endless", f"it does not end: stopped after {after}, at {place}")
     if isinstance(error, RecursionError):
         return Trouble("deep", f"Python ended it {max(watch.deepest, 1):,} calls deep, at {where}")
     if isinstance(error, NotAllowed):

@@ -62,6 +62,11 @@ def endless():
         pass
 
 
+def endless_in_one_line():
+    """Of which no debugger sees a line."""
+    while True: pass  # fmt: skip  # noqa: E701
+
+
 def endless_whatever_comes():
     with contextlib.suppress(BaseException):  # a bare except, as beginners write it
         endless()
@@ -91,6 +96,7 @@ def strange():
 
 SURVIVED = [
     (endless, "it does not end"),
+    (endless_in_one_line, "it does not end: stopped after 6 seconds"),
     (endless_whatever_comes, "it does not end"),
     (lambda: sys.exit(3), "it ends the program"),
     (lambda: input("x?"), "it asks for input"),
@@ -101,6 +107,7 @@ SURVIVED = [
     (lambda: [][1], "IndexError: list index out of range ("),
     (lambda: putpixel("1", 2, 3), "x must be a number"),
     (lambda: bgi.bar(0, 0, 9, 9), "it calls bar()"),
+    (lambda: sys.stdout.close(), "nothing is drawn"),
     (lambda: print("where am I"), "it printed: 'where am I'"),
 ]
 
