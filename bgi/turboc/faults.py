@@ -13,6 +13,9 @@ class Place(NamedTuple):
 
 NOWHERE = Place("", 0, 0)
 
+MOST_ERRORS = 20
+"""As many are told of one program."""
+
 
 class CError(Exception):
     """A fault of a C program; as text: `PROGRAM.C:12:5: what is wrong`."""

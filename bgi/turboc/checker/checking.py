@@ -33,9 +33,8 @@ from bgi.turboc.checker.types import (
     innermost,
     is_number,
 )
-from bgi.turboc.faults import NOWHERE, CError, CErrors
+from bgi.turboc.faults import MOST_ERRORS, NOWHERE, CError, CErrors
 from bgi.turboc.grammar import nodes, tree
-from bgi.turboc.grammar.statements import MOST_ERRORS
 
 
 class Checker(Actions):

@@ -5,11 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable
 
-from bgi.turboc.faults import CError, CErrors
+from bgi.turboc.faults import MOST_ERRORS, CError, CErrors
 from bgi.turboc.grammar.classes import Classes
 from bgi.turboc.grammar.declarations import Named_, Specifiers
 from bgi.turboc.grammar.nodes import FunctionPart, Words
-from bgi.turboc.grammar.statements import MOST_ERRORS
 from bgi.turboc.grammar.stream import DEEPEST
 from bgi.turboc.grammar.tree import Asm, Program, Top
 from bgi.turboc.words.lexer import Token

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bgi.turboc.faults import CError, Place
+from bgi.turboc.faults import MOST_ERRORS, CError, Place
 from bgi.turboc.grammar.declarations import Declarations
 from bgi.turboc.grammar.nodes import Expr
 from bgi.turboc.grammar.tree import (
@@ -191,9 +191,6 @@ class Statements(Declarations):
         self.accept(";")
         return Asm(place, " ".join(words))
 
-
-MOST_ERRORS = 20
-"""As many are told of one program."""
 
 _READERS = {
     "if": Statements._if,

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import NamedTuple
 
-from bgi.turboc.faults import CError, Place
+from bgi.turboc.faults import MOST_ERRORS, CError, Place
 from bgi.turboc.words.conditions import evaluate
 from bgi.turboc.words.lexer import Token, objection, tokens
 
@@ -14,6 +14,9 @@ MOST_TOKENS = 500_000
 
 DEEPEST = 20
 """Files that include each other."""
+
+DEEPEST_IF = 100
+"""Parts under `#if` inside each other."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +90,7 @@ class _Preprocessor:
         # For each #if that is open: whether its part is read, and whether one of its parts was.
         self._parts: list[list[bool]] = []
         position = 0
-        while position < len(words) and self._steps <= MOST_TOKENS:
+        while position < len(words) and self._goes_on():
             end = position + 1
             if words[position].text == "#" and words[position].first:
                 while end < len(words) and not words[end].first:
@@ -99,6 +102,9 @@ class _Preprocessor:
                 if self._reading():
                     self._emit(words[position:end])
             position = end
+
+    def _goes_on(self) -> bool:
+        return self._steps <= MOST_TOKENS and len(self.errors) < MOST_ERRORS
 
     def _reading(self) -> bool:
         return all(read for read, _ in self._parts)
@@ -131,6 +137,8 @@ class _Preprocessor:
 
     def _condition(self, name: str, place: Place, rest: list[Token]) -> None:
         if name in ("if", "ifdef", "ifndef"):
+            if len(self._parts) >= DEEPEST_IF:
+                raise CError(place, f"more than {DEEPEST_IF} #if are open here")
             holds = self._reading() and self._holds(name, place, rest)
             self._parts.append([holds, holds or not self._reading()])
         elif not self._parts:
