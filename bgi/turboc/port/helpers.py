@@ -73,6 +73,11 @@ def int16(number):
     """A number as an int of 16 bits holds it: 32,768 is -32,768."""
     return (number + 0x8000) % 0x10000 - 0x8000
 ''',
+    "busy": '''
+def busy(turns):
+    """Wait as long as a PC of 1990 took for an empty loop of so many turns."""
+    sleep(max(turns, 0) * 8 / 33e6)
+''',
     "float32": '''
 def float32(number):
     """A number as a float of C holds it: in 32 bits, with some 7 digits."""
@@ -84,6 +89,15 @@ def rounded(number):
     return int(number + 0.5) if number >= 0 else -int(0.5 - number)
 ''',
 }
+
+
+_NOTES = {
+    "busy": "Loops that did nothing but wait are busy() here; delay() would say how long.",
+    "int16": "Where int16() stands, C may have cut a number off at 32,767.",
+    "float32": "Where float32() stands, C lost digits that are seen, if only some steps later.",
+    "Pointer": "Pointers that walk through arrays are a class here, Pointer.",
+}
+"""What a reader has to know of what changed."""
 
 
 class Helpers:
@@ -103,6 +117,10 @@ class Helpers:
     def modules(self) -> set[str]:
         """The modules that they need."""
         return {"struct"} if "float32" in self._names else set()
+
+    def notes(self) -> list[str]:
+        """What the head of the program tells of them."""
+        return [note for name, note in _NOTES.items() if name in self._names]
 
     def lines(self) -> list[str]:
         """Their definitions, each with two blank lines before it."""

@@ -155,6 +155,8 @@ class PortEffects(PortClasses):
             return False
         if place_key(value.target) in self.facts.singles and loses(given):
             return False
+        if self.is_seen(given):
+            return False
         right = self.value(given.right)
         self.line(f"{self.target(value.target)} {given.op}= {right}")
         return True
@@ -186,11 +188,20 @@ class PortEffects(PortClasses):
             if op == "%" and not (self.positive(value.target) and self.positive(result.right)):
                 op = ""
             single = place_key(value.target) in self.facts.singles and loses(result)
-            if op in _IN_PLACE and value.type not in (CHAR, UCHAR) and not single:
+            if (
+                op in _IN_PLACE
+                and value.type not in (CHAR, UCHAR)
+                and not (single or self._grows(value, result))
+            ):
                 self.line(f"{target} {op}= {self.value(result.right)}")
                 return
         code = self.fitted(value.result, value.type, self.updated(value), value.target)
         self.line(f"{target} = {code}")
+
+    def _grows(self, value: Update, result: Arithmetic) -> bool:
+        """Whether `x *= y` may well be too large for 16 bits."""
+        made = Arithmetic(value.place, result.type, result.op, value.target, result.right)
+        return self.is_seen(made)
 
     def _move(self, value: Update, target: Code, result: Offset) -> None:
         shape = self.destination(value.target)

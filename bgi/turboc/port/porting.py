@@ -164,7 +164,7 @@ def ported(program: Understood) -> str:
         [*constants, *parts],
         imports=names.imports(),
         helpers=porter.helpers.lines(),
-        notes=[],
+        notes=porter.helpers.notes(),
         main=typed.main.python,
         deep=facts.recurs,
     )

@@ -171,6 +171,11 @@ class PortLoops(PortEffects):
         if found.beyond:
             end = self.sum(end, found.beyond)
         start = self.value(found.start)
+        if not walking.items_of(act.body) and found.step == 1:  # a program of its day waits so
+            self.names.use("time", "sleep")
+            turns = end if start == "0" else binary("-", end, start)
+            self.line(call(self.helpers.use("busy"), [turns]), place)
+            return
         parts = [start, end]
         if abs(found.step) != 1 or found.step < 0:
             step = self.value(found.by) if found.by is not None else Code("1")

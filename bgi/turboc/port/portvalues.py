@@ -73,14 +73,17 @@ class PortValues(PortTests):
         """A value; a whole number is cut to its 16 bits where it may have more of them."""
         code = self.raw(value)
         type_ = value.type
-        if isinstance(type_, IntType) and type_.bits == 16 and self._is_seen(value):
+        if isinstance(type_, IntType) and self.is_seen(value):
             if not type_.signed:
                 return binary("&", code, Code("0xFFFF"))
             return call(self.helpers.use("int16"), [code])
         return code
 
-    def _is_seen(self, value: Value) -> bool:
+    def is_seen(self, value: Value) -> bool:
         """Whether a number of 16 bits may well be too large for them."""
+        type_ = value.type
+        if not isinstance(type_, IntType) or type_.bits != 16:
+            return False
         computed = isinstance(value, (Arithmetic, Signed, Converted))
         return computed and magnitude(value, self.facts.known) > HIGHEST
 

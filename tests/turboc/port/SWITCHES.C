@@ -38,8 +38,11 @@ wrong:
 void ask(void)
 {
     char c;
+    unsigned wait;
 
 again:
+    for (wait = 0; wait < 30000; wait++)
+        ;
     printf("again? ");
     c = getch();
     if (c != 13)

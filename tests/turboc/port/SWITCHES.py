@@ -1,4 +1,13 @@
-"""What falls through, jumps out and walks: the ways of C that Python has not."""
+"""What falls through, jumps out and walks: the ways of C that Python has not.
+
+Loops that did nothing but wait are busy() here; delay() would say how long.
+
+Where int16() stands, C may have cut a number off at 32,767.
+
+Pointers that walk through arrays are a class here, Pointer.
+"""
+
+from time import sleep
 
 from bgi import getch
 from bgi.stdio import printf
@@ -7,6 +16,11 @@ from bgi.stdio import printf
 def int16(number):
     """A number as an int of 16 bits holds it: 32,768 is -32,768."""
     return (number + 0x8000) % 0x10000 - 0x8000
+
+
+def busy(turns):
+    """Wait as long as a PC of 1990 took for an empty loop of so many turns."""
+    sleep(max(turns, 0) * 8 / 33e6)
 
 
 def char_at(string, index):
@@ -80,6 +94,7 @@ def area(width, height):
 
 def ask():
     while True:
+        busy(30000)
         printf("again? ")
         c = getch()
         if c == 13:
