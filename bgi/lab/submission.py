@@ -10,6 +10,7 @@ was under way if the process ends all of a sudden.
 from __future__ import annotations
 
 import base64
+import io
 import json
 import os
 import sys
@@ -40,6 +41,7 @@ def main(job_file: str) -> None:
     sys.path.insert(0, str(program.parent))
     confine(program.parent, answers, job["megabytes"], job["seconds"])
     module, note = _load(program)
+    sys.stdout = io.StringIO()  # nobody reads what is printed, and the program may have closed it
     _tell(answers, {"loaded": note})
     for task in tasks:
         function = vars(module).get(task.function)

@@ -18,7 +18,7 @@ from bgi.memory.sdl import FOUND
 from bgi.monitor import moment
 from bgi.monitor.idling import REST_SECONDS, Idling
 from bgi.monitor.keyqueue import PIECE_SECONDS, KeyQueue
-from bgi.monitor.plan import Plan, note
+from bgi.monitor.plan import Plan, note, written
 from bgi.monitor.pointer import Mouse
 from bgi.monitor.process import start
 from bgi.monitor.protocol import TITLE, encode, receive
@@ -96,6 +96,7 @@ class Window:
     def _follow_plan(self) -> None:
         """Record, and end after some time, if that is planned."""
         if self._plan.record:
+            self._end_seconds = SAVE_SECONDS
             self._send("record", self._plan.record)
         if self._plan.after < math.inf:
             clock = threading.Timer(self._plan.after, self._time_is_up)
@@ -219,6 +220,8 @@ class Window:
             self._process.wait()
         if threading.current_thread() is not self._listener:  # it is when on_lost closes
             self._listener.join(END_SECONDS)
+        if self._ready and self._plan.record and self._plan.record not in written:
+            note(self._plan.record, f"the {self.noun}'s process had ended before")
 
     def _check(self) -> None:
         if self._error is not None:

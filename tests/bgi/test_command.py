@@ -10,7 +10,7 @@ import pytest
 
 import bgi
 from bgi.memory.sdl import pygame
-from tests.processes import PATIENCE, posix
+from tests.processes import KILL, PATIENCE, posix
 from tests.skips import needs_pygame
 
 pytestmark = needs_pygame  # most of it is about windows
@@ -152,6 +152,17 @@ def test_what_cannot_be_written_is_one_line_and_status_1(
     line = f"bgi: {folder / file} was not written: No such file or directory\n"
     assert (done.returncode, done.stderr) == (1, line)
     assert "key: 120" in done.stdout
+
+
+def test_a_recording_that_goes_with_its_window_is_told(folder: Path) -> None:
+    (folder / "lost.py").write_text(
+        "import os\nfrom bgi import *\nfrom bgi import current\ninitgraph()\n"
+        f"os.kill(current.screen.monitor.pid, {int(KILL)})\ngetch()\n"
+    )
+    done = run("--monitor", "window", "--record", "x.gif", "lost.py", cwd=folder)
+    line = f"{folder / 'x.gif'} was not written: the window's process had ended before"
+    assert done.returncode == 1
+    assert done.stderr.count("was not written") == done.stderr.count(line) == 1
 
 
 def test_without_a_screen_there_is_no_picture(folder: Path) -> None:
