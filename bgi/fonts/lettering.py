@@ -19,7 +19,7 @@ from bgi.fonts.codepage import REMEMBERED
 from bgi.fonts.layout import Scale
 from bgi.raster.kept import Kept
 from bgi.raster.lines import Trace
-from bgi.raster.offsets import Offsets, each_once, offsets, reach
+from bgi.raster.offsets import Offsets, figure, odd, offsets, reach
 
 KEPT_OF_A_LETTER, KEPT_OF_A_TEXT = 2048, 8192
 """Pixels of a letter and of a text that are kept, eight bytes each; larger ones are not. All that
@@ -59,8 +59,7 @@ def letter(way: Lettering, code: int) -> Letter:
     if (np.maximum(abs(x2 - x1), abs(y2 - y1)) + 1).sum() > KEPT_OF_A_LETTER:
         return Letter(None, *move)
     x, y, _, _ = way.trace((x1, y1, x2, y2))
-    place = each_once(y * way.width + x, way.xor)
-    return Letter(offsets(place, reach(x, y), way.width), *move)
+    return Letter(figure(x, y, reach(x, y), way.width, way.xor), *move)
 
 
 def text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | tuple[()] | None:
@@ -88,7 +87,7 @@ def _text(way: Lettering, codes: bytes, horiz: int, vert: int) -> Offsets | tupl
     places = np.concatenate(place)
     places += np.array(starts).repeat(counts)
     extent = min(xs_left), min(ys_top), max(map(add, xs, right)), max(map(add, ys, bottom))
-    return offsets(each_once(places, True) if way.xor else places, extent, way.width)
+    return offsets(odd(places) if way.xor else places, extent, way.width)
 
 
 TEXTS = Kept(_text, 1 << 23)

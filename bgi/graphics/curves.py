@@ -137,12 +137,16 @@ class Curves(Pen):
                 for strand in self._strands(x + x1, y + y1, x + x2, y + y2):
                     self.page.styled_line(*strand, self._ink, SOLID, self._xor)
             return
-        figure = THICK_CURVES[start, end, rx, ry, self._xor, self.page.trace, self.page.width]
-        if not self.page.put_offsets(x, y, figure, self._ink, self._xor):
+        page, color, xor = self.page, self._ink, self._xor
+        figure = THICK_CURVES[start, end, rx, ry, xor, page.trace, page.width]
+        if page.put_offsets(x, y, figure, color, xor):
+            return
+        if ellipses.is_fine(rx, ry):
+            page.put_seen(x, y, figure, color, xor)
+        else:
             x1, y1, x2, y2 = ellipses.thick_sides(start, end, rx, ry)
             strands = lines.strands_many((x + x1, y + y1, x + x2, y + y2))
-            colors = np.full(len(strands[0]), self._ink)
-            self.page.line_many(strands, colors, SOLID, self._xor)
+            page.line_many(strands, np.full(len(strands[0]), color), SOLID, xor)
 
     # Filled
 

@@ -9,6 +9,7 @@ from operator import and_
 import numpy as np
 
 from bgi.memory.areas import OWNER
+from bgi.memory.boxes import within
 from bgi.memory.pixmap import Pixels
 from bgi.memory.strokes import Strokes
 from bgi.raster import lines
@@ -74,6 +75,17 @@ class Page(Strokes):
             cut.append(dy <= self._bottom - y)
         seen = place.compress(reduce(and_, cut))
         self.flat[seen + ((y + top) * self.width + x + left)] = color
+
+    def put_seen(self, x: int, y: int, figure: Offsets, color: int, xor: bool) -> None:
+        """What is seen of a kept figure that the clipping box cuts and changes nowhere else."""
+        down = figure.place // self.width
+        across = figure.place - down * self.width
+        left, top = x + figure.left, y + figure.top
+        seen = figure.place[within(across + left, down + top, self.box)] + (top * self.width + left)
+        if xor:
+            self.flat[seen] ^= self.numbers[color]
+        else:
+            self.flat[seen] = color
 
     def fill_offsets(self, x: int, y: int, figure: Offsets, color: int, pattern: bytes) -> bool:
         """`put_offsets` in a fill pattern, for x, y within the clipping box."""

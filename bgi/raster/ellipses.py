@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from bgi.raster import lines, polygons
 from bgi.raster.kept import Kept
 from bgi.raster.lines import Ints, Segments, Trace
-from bgi.raster.offsets import Offsets, each_once, offsets, reach
+from bgi.raster.offsets import Offsets, figure, offsets, reach
 
 Offset = tuple[int, int]
 """dx, dy from the centre, dy downwards."""
@@ -238,12 +238,29 @@ CURVES = Kept(_curve, 1 << 23)
 def _thick_curve(
     start: int, end: int, rx: int, ry: int, xor: bool, trace: Trace, width: int
 ) -> Offsets:
-    x, y, _ = lines.trace_strands(trace, thick_sides(start, end, rx, ry))
-    return offsets(each_once(y * width + x, xor), reach(x, y), width)
+    sides = thick_sides(start, end, rx, ry)
+    if is_fine(rx, ry) and not xor:  # pixels may come more than once
+        x1, y1, x2, y2 = sides
+        level = abs(x2 - x1) >= abs(y2 - y1)
+        ends = np.concatenate((x1, x2)), np.concatenate((y1, y2))
+        x, y = lines.beside(*ends, np.concatenate((level, level)))
+    else:
+        x, y, _ = lines.trace_strands(trace, sides)
+    return figure(x, y, reach(x, y), width, xor)
 
 
 THICK_CURVES = Kept(_thick_curve, 1 << 23)
 """The same of thick curves; also by the write mode, and by how a page draws lines."""
+_FINE = 57
+"""One degree of a circle of that radius is less than one pixel."""
+
+
+def is_fine(rx: int, ry: int) -> bool:
+    """Whether all sides of a thick curve lead to a pixel beside, or nowhere.
+
+    Then they have no pixels but their ends, and what a box clips away changes none of the others.
+    """
+    return max(rx, ry) <= _FINE
 
 
 def thick_sides(start: int, end: int, rx: int, ry: int) -> Segments:

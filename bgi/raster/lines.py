@@ -244,5 +244,13 @@ def trace_strands(trace: Trace, segments: Segments) -> tuple[Ints, Ints, Ints]:
     x1, y1, x2, y2 = segments
     x, y, step, line = trace(segments)
     level = (abs(x2 - x1) >= abs(y2 - y1))[line]
-    x = np.concatenate((x, x - ~level, x + ~level))
-    return x, np.concatenate((y, y - level, y + level)), np.tile(step, 3)
+    return *beside(x, y, level), np.tile(step, 3)
+
+
+def beside(x: Ints, y: Ints, level: NDArray[np.bool_]) -> tuple[Ints, Ints]:
+    """Pixels, and those on both sides of them: above and below where their line is level."""
+    upright = ~level
+    return (
+        np.concatenate((x, x - upright, x + upright)),
+        np.concatenate((y, y - level, y + level)),
+    )

@@ -40,19 +40,36 @@ def reach(x: Ints, y: Ints) -> Reach:
 
 
 _MARKS = 1 << 19
-"""Places that are marked rather than sorted, which takes longer."""
+"""Places that are marked, or counted, rather than sorted, which takes longer."""
 
 
-def each_once(place: Ints, xor: bool) -> Ints:
-    """Every place that is drawn, once; by XOR none that is drawn an even number of times."""
-    if xor:
-        places, times = np.unique(place, return_counts=True)
-        odd: Ints = places[times % 2 == 1]
-        return odd
-    least = place.min(initial=_FAR)
-    if place.max(initial=least) - least >= _MARKS:
-        return np.unique(place)
-    marks = np.zeros(place.max(initial=least) - least + 1, np.bool_)
-    marks[place - least] = True
-    found: Ints = np.flatnonzero(marks) + least
+def figure(x: Ints, y: Ints, extent: Reach, width: int, xor: bool) -> Offsets:
+    """A figure of pixels that may come more than once: to be copied, or to be drawn by XOR."""
+    left, top, right, bottom = extent
+    across = right - left + 1
+    if not len(x):
+        return Offsets(x, *extent)
+    place = y * across
+    place += x
+    place -= top * across + left
+    found = _drawn(place, across * (bottom - top + 1), xor)
+    found += found // across * (width - across)
+    return Offsets(found, *extent)
+
+
+def odd(place: Ints) -> Ints:
+    """What is seen of places by XOR: those that are drawn an odd number of times."""
+    places, times = np.unique(place, return_counts=True)
+    found: Ints = places[times % 2 == 1]
     return found
+
+
+def _drawn(place: Ints, size: int, xor: bool) -> Ints:
+    """Every place below a size once; by XOR the odd ones."""
+    if size >= _MARKS:
+        return odd(place) if xor else np.unique(place)
+    if xor:
+        return np.flatnonzero(np.bincount(place) & 1)
+    marks = np.zeros(size, np.bool_)
+    marks[place] = True
+    return np.flatnonzero(marks)

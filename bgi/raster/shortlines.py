@@ -5,7 +5,7 @@ import numpy as np
 from bgi.raster import lines
 from bgi.raster.kept import Kept
 from bgi.raster.lines import Trace
-from bgi.raster.offsets import Offsets, each_once, offsets, reach
+from bgi.raster.offsets import Offsets, figure, reach
 from bgi.raster.patterns import dashes
 
 LONGEST = 32
@@ -19,8 +19,8 @@ def _short_line(
     x1 = y1 = np.zeros(1, np.int64)
     line = x1, y1, x1 + dx, y1 + dy
     x, y, step = lines.trace_strands(trace, line) if thick else trace(line)[:3]
-    place = (y * width + x)[dashes(bits).drawn[step]]
-    return offsets(each_once(place, xor), reach(x, y), width)
+    drawn = dashes(bits).drawn[step]
+    return figure(x[drawn], y[drawn], reach(x, y), width, xor)
 
 
 SHORT_LINES = Kept(_short_line, 1 << 21)

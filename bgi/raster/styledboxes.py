@@ -4,7 +4,7 @@ import numpy as np
 
 from bgi.raster.kept import Kept
 from bgi.raster.lines import Trace
-from bgi.raster.offsets import Offsets, each_once, offsets, reach
+from bgi.raster.offsets import Offsets, figure, reach
 from bgi.raster.patterns import dashes
 
 
@@ -13,8 +13,8 @@ def _styled_box(dx: int, dy: int, bits: int, xor: bool, trace: Trace, width: int
     x = np.array([0, dx, dx, 0, 0])
     y = np.array([0, 0, dy, dy, 0])
     x, y, step, _ = trace((x[:-1], y[:-1], x[1:], y[1:]))
-    place = (y * width + x)[dashes(bits).drawn[step]]
-    return offsets(each_once(place, xor), reach(x, y), width)
+    drawn = dashes(bits).drawn[step]
+    return figure(x[drawn], y[drawn], reach(x, y), width, xor)
 
 
 STYLED_BOXES = Kept(_styled_box, 1 << 21)

@@ -390,6 +390,7 @@ def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode
     thin = style[2] == 1
     with (
         patch("bgi.graphics.curves.PIECES", Kept(by_lines, 1000)),
+        patch.object(curves, "is_fine", lambda *_: False),
         nullcontext() if thin else patch.object(Page, "put_offsets", cut),
     ):
         plain = drawn(call, centre, style, xor, mode, fill)

@@ -1,7 +1,13 @@
-"""Tables that fill themselves."""
+"""Tables that fill themselves, and the figures in them."""
+
+from collections import Counter
+from unittest.mock import patch
 
 import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from bgi.raster import offsets
 from bgi.raster.kept import MET, Kept
 
 
@@ -51,3 +57,22 @@ def test_few_arguments_are_remembered() -> None:
         assert table.again(number) is None
         assert len(table._met) <= MET
     assert not table
+
+
+@settings(deadline=None)
+@given(
+    pixels=st.lists(st.tuples(st.integers(-9, 9), st.integers(-9, 9)), min_size=1),
+    xor=st.booleans(),
+    most_marks=st.sampled_from([0, 1 << 19]),
+)
+def test_a_figure_has_each_pixel_once_and_by_xor_the_odd_ones(
+    pixels: list[tuple[int, int]], xor: bool, most_marks: int
+) -> None:
+    x, y = np.array(pixels).T
+    with patch.object(offsets, "_MARKS", most_marks):
+        found = offsets.figure(x, y, offsets.reach(x, y), 640, xor)
+    rows, columns = np.divmod(found.place, 640)
+    drawn = zip((columns + found.left).tolist(), (rows + found.top).tolist(), strict=True)
+    assert sorted(drawn) == sorted(
+        pixel for pixel, times in Counter(pixels).items() if times % 2 or not xor
+    )
