@@ -125,7 +125,7 @@ class AnswerExercise:
             kind, error = first.outcome.trouble.kind, first.outcome.trouble.error
             names = (kind, type(error).__name__)
             found = [self.troubles[name] for name in names if name in self.troubles]
-            return found[0] if found else supervision.USUAL.get(kind, "")
+            return found[0] if found else supervision.usual(first.outcome.trouble)
         if first.unreadable:
             return f"the answer must be {first.unreadable}"
         answered = [miss for miss in misses if not (miss.outcome.trouble or miss.unreadable)]

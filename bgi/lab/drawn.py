@@ -17,7 +17,7 @@ from bgi.graphics import Graphics
 from bgi.kernel.modes import GraphicsMode, find
 from bgi.lab import supervision
 from bgi.lab.comparison import Pixels, side_by_side
-from bgi.lab.supervision import NotAllowed, Outcome, PixelsOnly, Trouble
+from bgi.lab.supervision import Outcome, PixelsOnly, Trouble
 from bgi.lab.verdict import Verdict
 
 Place = tuple[int, int]
@@ -96,6 +96,8 @@ class Evidence:
         return all(map(test, self.faults))
 
 
+OPEN = "the screen is open when the function is called: initgraph() and closegraph() stand outside"
+
 Sign = tuple[Callable[[Evidence], Any], str]
 """What a mistake looks like, and the hint for it."""
 
@@ -116,6 +118,8 @@ class DrawingExercise:
     """What else than putpixel it may draw by."""
     instead: str = ""
     """What is told to whom calls something else."""
+    otherwise: str = ""
+    """The hint where no sign fits."""
 
     def check(self, function: Callable[..., Any]) -> Verdict:
         """Try a function."""
@@ -164,10 +168,14 @@ class DrawingExercise:
         trouble = first.outcome.trouble
         if trouble is not None:
             if trouble.kind == "forbidden":
-                return self.instead
-            return self.troubles(first) or supervision.USUAL[trouble.kind]
-        plain = Evidence([f for f in evidence.faults if not f.outcome.trouble], evidence.right)
-        return next((hint for seems, hint in self.signs if seems(plain)), "")
+                return OPEN if trouble.error is None else self.instead
+            return self.troubles(first) or supervision.usual(trouble)
+        plain = [fault for fault in evidence.faults if not fault.outcome.trouble]
+        for faults in (plain, [first]):  # two mistakes in one program: then the one that is shown
+            for seems, hint in self.signs:
+                if seems(Evidence(faults, evidence.right)):
+                    return hint
+        return self.otherwise
 
 
 def _try(function: Callable[..., Any], trial: Trial, screen: Graphics) -> Fault | None:
@@ -184,7 +192,7 @@ def _try(function: Callable[..., Any], trial: Trial, screen: Graphics) -> Fault 
     outcome = supervision.call(function, supervision.copied(trial.arguments))
     if current.screen is not guard:
         words = "it opens or closes the screen"
-        outcome = Outcome(trouble=Trouble("forbidden", words, NotAllowed("initgraph")))
+        outcome = Outcome(trouble=Trouble("forbidden", words))
         return Fault(trial, outcome, ground, ground, ground)
     got = screen.page.array.copy()
     expected = trial.expected(got)
@@ -220,63 +228,6 @@ def places(mask: Any) -> set[Place]:
     """The places x, y where a mask is true."""
     down, across = np.nonzero(mask)
     return set(zip(across.tolist(), down.tolist(), strict=True))
-
-
-# Signs that more than one exercise has
-
-
-def nothing(evidence: Evidence) -> bool:
-    """Nothing is drawn, ever: what is right needs nothing."""
-    return evidence.mostly and evidence.always(lambda fault: not fault.drawn)
-
-
-def wrong_color(evidence: Evidence) -> bool:
-    """All is in its place, but in another colour."""
-    return evidence.always(lambda fault: fault.drawn == fault.wanted and bool(fault.recolored))
-
-
-def transposed(evidence: Evidence) -> bool:
-    """x and y are exchanged, as far as that can be seen on the screen."""
-
-    def seems(fault: Fault) -> bool:
-        there = {(y, x) for x, y in fault.wanted if x < 480}
-        return len(there ^ fault.drawn) <= len(there) // 4
-
-    return evidence.mostly and evidence.always(seems)
-
-
-INSTEAD = "set the pixels by putpixel: the exercise is to find out which"
-
-
-def only(test: Callable[[Fault], bool]) -> Callable[[Evidence], bool]:
-    """A sign that every fault shows by itself."""
-    return lambda evidence: evidence.always(test)
-
-
-def first_about(*kinds: str) -> Callable[[Evidence], bool]:
-    """A sign: the first trial that goes wrong is of such a kind."""
-    return lambda evidence: evidence.faults[0].trial.about in kinds
-
-
-def off_by_one(evidence: Evidence) -> bool:
-    """Pixels lie beside those that are expected."""
-
-    def beside(fault: Fault) -> bool:
-        return fault.missing <= around(fault.drawn) and fault.extra <= around(fault.wanted)
-
-    return evidence.always(beside) and any(fault.extra for fault in evidence.faults)
-
-
-def around(pixels: set[Place]) -> set[Place]:
-    """All pixels that touch one of these."""
-    return {(x + dx, y + dy) for x, y in pixels for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
-
-
-COMMON: list[Sign] = [
-    (nothing, "does it call putpixel(x, y, color)?"),
-    (wrong_color, "give putpixel the colour that the function is given"),
-    (transposed, "x and y are exchanged: putpixel(x, y, color), x to the right, y down"),
-]
 
 
 # What bgi itself draws

@@ -12,7 +12,8 @@ from functools import partial
 from bgi.constants import SOLID_FILL, WHITE
 from bgi.graphics import Graphics
 from bgi.lab.comparison import Pixels
-from bgi.lab.drawn import COMMON, DrawingExercise, Evidence, Fault, Sign, Trial, by_bgi, first_about
+from bgi.lab.drawn import DrawingExercise, Evidence, Fault, Sign, Trial, by_bgi
+from bgi.lab.signs import COMMON, first_about
 from bgi.lab.supervision import DEEPEST
 
 Draw = Callable[[Graphics], None]

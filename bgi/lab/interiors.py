@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bgi.lab.comparison import Pixels
-from bgi.lab.drawn import COMMON, DrawingExercise, Evidence, Fault, Place, Sign, Trial, only, places
+from bgi.lab.drawn import DrawingExercise, Evidence, Fault, Place, Sign, Trial, places
+from bgi.lab.signs import COMMON, only
 
 Mask = NDArray[np.bool_]
 Shape = list[Place]

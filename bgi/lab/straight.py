@@ -15,19 +15,8 @@ import numpy as np
 
 from bgi.graphics import Graphics
 from bgi.lab.comparison import Pixels
-from bgi.lab.drawn import (
-    COMMON,
-    INSTEAD,
-    DrawingExercise,
-    Evidence,
-    Fault,
-    Place,
-    Sign,
-    Trial,
-    by_bgi,
-    off_by_one,
-    only,
-)
+from bgi.lab.drawn import DrawingExercise, Evidence, Fault, Place, Sign, Trial, by_bgi
+from bgi.lab.signs import COMMON, INSTEAD, MOVED, around, off_by_one, only
 
 NAMES = "x1", "y1", "x2", "y2", "color"
 
@@ -123,8 +112,35 @@ def _only_backwards(axis: int) -> Callable[[Evidence], bool]:
 def _gaps(evidence: Evidence) -> bool:
     """Steep lines have a pixel in every column, where there should be one in every row."""
     return evidence.always(
-        lambda fault: _steep(fault) and len(fault.drawn) <= abs(_run(fault)[0]) + 1
+        lambda fault: (
+            _steep(fault) and not fault.extra and len(fault.drawn) <= abs(_run(fault)[0]) + 1
+        )
     )
+
+
+def _too_few(evidence: Evidence) -> bool:
+    """What is there is right, or nearly."""
+    return len(evidence.faults[0].missing) > 1 and evidence.always(
+        lambda fault: len(fault.drawn) < len(fault.wanted) and fault.extra <= around(fault.wanted)
+    )
+
+
+def _where(test: Callable[[Fault], bool]) -> Callable[[Evidence], bool]:
+    """Lines of one kind are wrong, and no others."""
+    return lambda evidence: len(evidence.faults) > 1 and evidence.always(test)
+
+
+def _lacks_ends(fault: Fault) -> bool:
+    """Nothing but ends is missing."""
+    ends = {fault.arguments[:2], fault.arguments[2:4]}
+    return bool(fault.missing) and fault.missing <= ends and not fault.extra
+
+
+def _short_backwards(fault: Fault) -> bool:
+    """The last two pixels are missing where it goes left or up."""
+    x2, y2 = fault.arguments[2:4]
+    near = all(max(abs(x - x2), abs(y - y2)) <= 1 for x, y in fault.missing)
+    return near and bool(fault.missing) and not fault.extra and min(_run(fault)) < 0
 
 
 def _beyond(evidence: Evidence) -> bool:
@@ -141,7 +157,69 @@ def _beyond(evidence: Evidence) -> bool:
 
 
 def _doubled(evidence: Evidence) -> bool:
-    return evidence.always(lambda fault: bool(fault.extra) and not fault.missing)
+    """More pixels than steps, all near the line."""
+    return (
+        evidence.always(lambda fault: len(fault.drawn) >= len(fault.wanted))
+        and evidence.always(lambda fault: fault.missing <= around(fault.drawn))
+        and sum(len(fault.drawn) > len(fault.wanted) for fault in evidence.faults)
+        > 0.8 * len(evidence.faults)
+    )
+
+
+def _whole_steps(evidence: Evidence) -> bool:
+    """Only straight or diagonal runs, where the line is neither."""
+
+    def seems(fault: Fault) -> bool:
+        kinds = {x for x, _ in fault.drawn}, {y for _, y in fault.drawn}
+        slopes = {x - y for x, y in fault.drawn}, {x + y for x, y in fault.drawn}
+        return len(fault.drawn) > 1 and 1 in map(len, (*kinds, *slopes))
+
+    return evidence.always(lambda fault: _octant(*_run(fault)) is not None and seems(fault))
+
+
+def _is_line(fault: Fault, *ends: int) -> bool:
+    """Whether it is, more or less, the line between other ends, as far as that can be seen."""
+    height, width = fault.got.shape
+    spots = {choice[0] for choice in steps(*ends)}
+    seen = {(x, y) for x, y in spots if 0 <= x < width and 0 <= y < height}
+    return seen <= around(fault.drawn) and fault.drawn <= around(seen)
+
+
+def _crossed(fault: Fault) -> bool:
+    """It goes from x2, y1 to x1, y2."""
+    x1, y1, x2, y2, _ = fault.arguments
+    return _is_line(fault, x2, y1, x1, y2)
+
+
+def _mirrored(evidence: Evidence) -> bool:
+    """Every line that is not level goes up instead of down."""
+    level = all(trial.arguments[1] == trial.arguments[3] for trial in evidence.right)
+
+    def seems(fault: Fault) -> bool:
+        x1, y1, x2, y2, _ = fault.arguments
+        return _is_line(fault, x1, y1, x2, 2 * y1 - y2)
+
+    return level and evidence.always(seems)
+
+
+def _upturned(fault: Fault) -> bool:
+    """dx / dy is taken for the slope."""
+    x1, y1, x2, y2, _ = fault.arguments
+    if y1 == y2 or not fault.drawn:
+        return False
+    slope = (x2 - x1) / (y2 - y1)
+    return any(
+        all(abs(top + slope * (x - left) - y) <= 1 for x, y in fault.drawn)
+        for left, top in ((x1, y1), (x2, y2))
+    )
+
+
+def _from_zero(fault: Fault) -> bool:
+    """The shorter side's start is not added, or no start is."""
+    x1, y1, x2, y2, _ = fault.arguments
+    dx, dy = x2 - x1, y2 - y1
+    others = (0, 0, dx, dy), (x1, 0, x2, dy), (0, y1, dx, y2), (x2, 0, x1, -dy), (0, y2, -dx, y1)
+    return any(_is_line(fault, *ends) for ends in others)
 
 
 def _only_gentle_right(evidence: Evidence) -> bool:
@@ -152,7 +230,7 @@ def _only_gentle_right(evidence: Evidence) -> bool:
 
 def _some_octants(evidence: Evidence) -> bool:
     wrong = {_octant(*_run(fault)) for fault in evidence.faults} - {None}
-    return 0 < len(wrong) < 8
+    return len(evidence.faults) > 1 and 0 < len(wrong) < 8
 
 
 def _octant(dx: int, dy: int) -> tuple[bool, bool, bool] | None:
@@ -162,6 +240,10 @@ def _octant(dx: int, dy: int) -> tuple[bool, bool, bool] | None:
     return abs(dy) > abs(dx), dx < 0, dy < 0
 
 
+OTHERWISE = (
+    "it is another line. Along the longer side there are max(abs(dx), abs(dy)) steps of one pixel;"
+    " after a step aside Bresenham's d gets smaller by twice the longer side"
+)
 SIGNS: list[Sign] = [
     *COMMON,
     (
@@ -173,6 +255,10 @@ SIGNS: list[Sign] = [
         "the last pixel is missing: both ends belong to a line, and range(a, b) stops before b",
     ),
     (only(lambda fault: _lacks(fault, 0)), "the first pixel is missing: set x1, y1 as well"),
+    (
+        only(_lacks_ends),
+        "an end is missing: both belong to a line, and range(a, b) stops before b",
+    ),
     (_beyond, "the line goes on beyond its end: how many steps are there?"),
     (
         _only_backwards(0),
@@ -180,39 +266,69 @@ SIGNS: list[Sign] = [
     ),
     (_only_backwards(1), "nothing is drawn upwards: exchange the ends then, or step by -1"),
     (
+        only(_short_backwards),
+        "where it goes left or up the last pixels are missing: range(x1, x2 - 1, -1) ends at x2",
+    ),
+    (
+        _where(lambda fault: _run(fault)[0] == 0),
+        "upright lines are wrong: x stays, y runs from y1 to y2",
+    ),
+    (_where(lambda fault: _run(fault)[1] == 0), "level lines are wrong: y stays, x runs"),
+    (
         _gaps,
         "there are gaps where the line is steep: one pixel for each x is too few, step along y",
     ),
     (
-        off_by_one,
-        "off by one: the pixel nearest to the true line is wanted; int() cuts off, round() does not"
-        ", and Bresenham's d begins with 2 * dy - dx",
+        _too_few,
+        "there are gaps: the number of steps is the longer of both sides, max(abs(dx), abs(dy))",
     ),
-    (_doubled, "there is more than one pixel for a step along the longer side"),
     (
-        only(lambda fault: _run(fault)[0] == 0),
-        "upright lines are wrong: x stays, y runs from y1 to y2",
+        _doubled,
+        "there is more than one pixel for a step along the longer side: the number of steps is"
+        " max(abs(dx), abs(dy))",
     ),
-    (only(lambda fault: _run(fault)[1] == 0), "level lines are wrong: y stays, x runs"),
+    (
+        _whole_steps,
+        "only level, upright and diagonal steps are made: divide by /, not //; x and y grow by"
+        " parts of a pixel, and are rounded only for putpixel",
+    ),
+    *MOVED,
+    (
+        off_by_one,
+        "off by one: the pixel nearest to the true line is wanted. int() cuts off, and so does"
+        " putpixel: round(). Bresenham's d begins with 2 * dy - dx",
+    ),
     (
         _only_gentle_right,
         "only lines that go gently to the right and down are right: seven octants are missing."
         " Exchange x and y where a line is steep, and step by -1 where it goes left or up",
     ),
     (
-        only(lambda fault: _steep(fault) and _run(fault)[0] != 0),
-        "steep lines are wrong: exchange the roles of x and y there",
+        only(_crossed),
+        "it joins other corners: x1 belongs to y1, and x2 to y2. Who exchanges x1 and x2 must"
+        " exchange y1 and y2 with them",
     ),
     (
-        only(lambda fault: _run(fault)[1] < 0),
+        only(_upturned),
+        "the slope is upside down: (y2 - y1) / (x2 - x1) for each x",
+    ),
+    (_mirrored, "it goes up where it should go down: y grows downwards, and is added"),
+    (only(_from_zero), "it begins at 0: the steps are counted from x1 and y1, add these"),
+    (
+        _where(_steep),
+        "steep lines are wrong: exchange the roles of x and y there, and exchange them back for"
+        " putpixel",
+    ),
+    (
+        _where(lambda fault: _run(fault)[1] < 0),
         "lines that go up are wrong: step along y by -1 there",
     ),
     (
-        only(lambda fault: _run(fault)[0] < 0),
+        _where(lambda fault: _run(fault)[0] < 0),
         "lines that go left are wrong: step along x by -1 there",
     ),
     (
-        only(lambda fault: _run(fault)[0] * _run(fault)[1] < 0),
+        _where(lambda fault: _run(fault)[0] * _run(fault)[1] < 0),
         "lines that go up to the right, and down to the left, are wrong: think of the step's sign",
     ),
     (_some_octants, "some of the eight octants are right, others are not"),
@@ -248,4 +364,5 @@ def exercise(exactly: bool) -> DrawingExercise:
         signs=SIGNS,
         troubles=_trouble,
         instead=INSTEAD,
+        otherwise=OTHERWISE,
     )

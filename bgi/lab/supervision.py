@@ -41,11 +41,16 @@ ENOUGH = 2
 """So many such troubles are enough: no more is tried."""
 
 USUAL = {
+    "NobodyThere": "the function gets all that it needs as arguments: leave keys to the program",
+    "EOFError": "the function gets all that it needs as arguments: leave input() to the program",
+    "SystemExit": "return ends a function; exit() ends all of the program",
+    "NameError": "is the name written as where it was set? What another function sets is not known",
+    "UnboundLocalError": "what a function sets is its own: set it first, or use the arguments",
     "exception": "Python says what it could not do, and in which line",
     "endless": "look at the condition of the loop: does something change that it asks for?",
     "deep": "a function that calls itself must stop somewhere",
 }
-"""The hints for troubles, unless an exercise knows better."""
+"""The hints for troubles and errors, unless an exercise knows better."""
 
 
 class Stopped(BaseException):
@@ -239,6 +244,11 @@ def _place(file: str, line: int) -> str:
 def _is_ours(frame: FrameType) -> bool:
     name = str(frame.f_globals.get("__name__", ""))
     return name.startswith("bgi.") and not name.startswith("bgi.demos")
+
+
+def usual(trouble: Trouble) -> str:
+    """The hint that fits in every exercise."""
+    return USUAL.get(type(trouble.error).__name__) or USUAL.get(trouble.kind, "")
 
 
 def misfit(function: Callable[..., Any], names: tuple[str, ...]) -> str:

@@ -196,11 +196,153 @@ def cuts_off(cx, cy, radius, color):
             eight(cx, cy, x, y, color)
 
 
-@wrong("pixels too many")
-def many_angles(cx, cy, radius, color):
-    for a in range(0, 3600):
-        angle = a * pi / 1800
-        putpixel(cx + round(radius * cos(angle)), cy + round(radius * sin(angle)), color)
+def by_angles(cx, cy, rx, ry, color, angles=range(360), cut=round, unit=pi / 180):
+    for a in angles:
+        putpixel(cut(cx + rx * cos(a * unit)), cut(cy + ry * sin(a * unit)), color)
+
+
+def angles(hint, name, **what):
+    """A loop over angles."""
+
+    def function(x, y, radius, color):
+        by_angles(x, y, radius, radius, color, **what)
+
+    function.__name__ = name
+    wrong(hint)(function)
+
+
+STEPS = "the steps of the angle do not fit"
+angles(STEPS, "a_degree_a_step")
+angles(STEPS, "a_tenth_of_a_degree", angles=[a / 10 for a in range(3600)])
+angles(STEPS, "five_degrees", angles=range(0, 360, 5))
+angles(STEPS, "ten_degrees", angles=range(0, 360, 10))
+angles("int() cuts off, and so does putpixel", "angles_cut_off", cut=int)
+angles("int() cuts off, and so does putpixel", "angles_not_rounded", cut=lambda v: v)
+angles("want radians", "degrees", unit=1)
+angles("want radians", "degrees_to_360", angles=range(361), unit=1)
+angles("want radians", "degrees_cut_off", cut=int, unit=1)
+angles("the upper half is missing", "to_pi", angles=range(181))
+angles("only a quarter is there", "to_half_pi", angles=range(91))
+
+
+@wrong("x goes with cos, y with sin")
+def cos_twice(cx, cy, radius, color):
+    for a in range(360):
+        part = radius * cos(a * pi / 180)
+        putpixel(round(cx + part), round(cy + part), color)
+
+
+@wrong("ask whether a float is less")
+def asks_for_equal_floats(cx, cy, radius, color):
+    a = 0.0
+    while a != 2 * pi:
+        by_angles(cx, cy, radius, radius, color, [a], unit=1)
+        a += 0.01
+
+
+@wrong("the lower half is missing")
+def one_root(cx, cy, radius, color):
+    for x in range(-radius, radius + 1):
+        putpixel(cx + x, cy - round(sqrt(radius * radius - x * x)), color)
+
+
+def of_all(cx, cy, radius, color, test):
+    for x in range(-radius, radius + 1):
+        for y in range(-radius, radius + 1):
+            if test(sqrt(x * x + y * y)):
+                putpixel(cx + x, cy + y, color)
+
+
+@wrong("hardly a pixel lies exactly on the circle")
+def exactly_on_it(cx, cy, radius, color):
+    of_all(cx, cy, radius, color, lambda distance: distance == radius)
+
+
+@wrong("is filled")
+def all_inside(cx, cy, radius, color):
+    of_all(cx, cy, radius, color, lambda distance: distance <= radius)
+
+
+@wrong("thick in places")
+def a_ring(cx, cy, radius, color):
+    of_all(cx, cy, radius, color, lambda distance: round(distance) == radius)
+
+
+def stepped(cx, cy, radius, color, d=None, more=(3, 5), goes_on=lambda x, y: x <= y):
+    """The midpoint algorithm, whose parts can be mistaken."""
+    x, y, d = 0, radius, 1 - radius if d is None else d
+    while goes_on(x, y):
+        eight(cx, cy, x, y, color)
+        d, y = (d + 2 * x + more[0], y) if d < 0 else (d + 2 * (x - y) + more[1], y - 1)
+        x += 1
+
+
+@wrong("the eighth ends where x is y")
+def goes_on_to_the_axis(x, y, radius, color):
+    stepped(x, y, radius, color, goes_on=lambda x, y: y >= 0)
+
+
+@wrong("d begins with 1 - radius")
+def d_of_bresenham(x, y, radius, color):
+    stepped(x, y, radius, color, 3 - 2 * radius)
+
+
+@wrong("d begins with 1 - radius")
+def d_begins_with_0(x, y, radius, color):
+    stepped(x, y, radius, color, 0)
+
+
+@wrong("as they are before the step")
+def d_after_the_step(x, y, radius, color):
+    stepped(x, y, radius, color, more=(5, 9))
+
+
+@wrong("x grows by one, and y stays or falls")
+def either_x_or_y(cx, cy, radius, color):
+    x, y, d = 0, radius, 1 - radius
+    while x <= y:
+        eight(cx, cy, x, y, color)
+        if d < 0:
+            d, x = d + 2 * x + 3, x + 1
+        else:
+            d, y = d + 2 * (x - y) + 5, y - 1
+
+
+@wrong("look at each of the putpixel calls")
+def y_with_y(cx, cy, radius, color):
+    for x in range(radius + 1):
+        y = round(sqrt(radius * radius - x * x))
+        if x <= y:
+            four(cx, cy, x, y, color)
+            for v in (y, -y):
+                putpixel(cx + v, cy + v, color)
+
+
+@wrong("x is counted from the centre")
+def x_of_the_screen(cx, cy, radius, color):
+    for x in range(cx - radius, cx + radius + 1):
+        putpixel(x, cy - round(sqrt(radius * radius - x * x)), color)
+
+
+@wrong("radius 0 is its centre")
+def nothing_for_0(x, y, radius, color):
+    if radius > 0:
+        midpoint(x, y, radius, color)
+
+
+@wrong("always drawn around the same place")
+def in_the_middle(x, y, radius, color):
+    midpoint(320, 240, radius, color)
+
+
+@wrong("are radius and colour exchanged")
+def radius_and_color(x, y, radius, color):
+    midpoint(x, y, color, radius)
+
+
+@wrong("half as large")
+def halved(x, y, radius, color):
+    midpoint(x, y, radius // 2, color)
 
 
 @wrong("x must grow, or y fall")

@@ -1,13 +1,13 @@
 """check.ellipse: right algorithms pass, and each usual mistake gets its hint."""
 
-from math import cos, pi, sin, sqrt
+from math import sqrt
 
 import pytest
 
 from bgi import ellipse, putpixel
 from bgi.lab import check
 from tests.lab.mistakes import Mistakes
-from tests.lab.test_circle import four
+from tests.lab.test_circle import by_angles, four
 
 
 def upper(cx, cy, rx, ry, color, set_four=four):
@@ -119,7 +119,7 @@ def the_right_half(x, y, rx, ry, color):
     midpoint(x, y, rx, ry, color, two)
 
 
-@wrong("straight above, below")
+@wrong("straight above and below")
 def without_the_axes(x, y, rx, ry, color):
     def inner(cx, cy, x, y, color):
         if x and y:
@@ -157,12 +157,101 @@ def cuts_off(cx, cy, rx, ry, color):
     by_roots(cx, cy, rx, ry, color, int)
 
 
-@wrong("pixels too many")
-def many_angles(cx, cy, rx, ry, color):
-    by_roots(cx, cy, rx, ry, color)
-    for a in range(0, 3600, 2):
-        angle = a * pi / 1800
-        putpixel(cx + round(rx * cos(angle)), cy + round(ry * sin(angle)), color)
+def angles(hint, name, **what):
+    """A loop over angles."""
+
+    def function(x, y, rx, ry, color):
+        by_angles(x, y, rx, ry, color, **what)
+
+    function.__name__ = name
+    wrong(hint)(function)
+
+
+STEPS = "the steps of the angle do not fit"
+angles(STEPS, "a_degree_a_step")
+angles(STEPS, "a_tenth_of_a_degree", angles=[a / 10 for a in range(3600)])
+angles(STEPS, "ten_degrees", angles=range(0, 360, 10))
+angles("int() cuts off, and so does putpixel", "angles_cut_off", cut=int)
+angles("want radians", "degrees", unit=1)
+angles("the upper half is missing", "to_pi", angles=range(181))
+angles("only a quarter is there", "to_half_pi", angles=range(91))
+
+
+@wrong("it is a circle")
+def a_round_loop(x, y, rx, ry, color):
+    by_angles(x, y, rx, rx, color)
+
+
+@wrong("the radii are exchanged")
+def sin_for_cos(x, y, rx, ry, color):
+    by_angles(x, y, ry, rx, color)
+
+
+@wrong("end with y = 0")
+def without_the_last_row(cx, cy, rx, ry, color):
+    def above(cx, cy, x, y, color):
+        if y > 0:
+            four(cx, cy, x, y, color)
+
+    midpoint(cx, cy, rx, ry, color, above)
+
+
+@wrong("four symmetric points, not eight")
+def mirrored_as_a_circle(x, y, rx, ry, color):
+    midpoint(x, y, rx, ry, color)
+    midpoint(x, y, ry, rx, color)
+
+
+@wrong("hardly a pixel lies exactly on the ellipse")
+def exactly_on_it(cx, cy, rx, ry, color):
+    for x in range(-rx, rx + 1):
+        for y in range(-ry, ry + 1):
+            if ry * ry * x * x + rx * rx * y * y == rx * rx * ry * ry:
+                putpixel(cx + x, cy + y, color)
+
+
+@wrong("not where x is y")
+def regions_of_a_circle(cx, cy, rx, ry, color):
+    x, y, d = 0, ry, ry * ry - rx * rx * ry + rx * rx / 4
+    while x <= y:
+        four(cx, cy, x, y, color)
+        x += 1
+        if d >= 0:
+            y -= 1
+            d -= 2 * rx * rx * y
+        d += 2 * ry * ry * x + ry * ry
+    lower(cx, cy, rx, ry, color, x, y)
+
+
+@wrong("(x / rx)**2 + (y / ry)**2 is 1")
+def without_squares(cx, cy, rx, ry, color):
+    for x in range(rx + 1):
+        four(cx, cy, x, round(ry * sqrt(1 - x / rx)), color)
+
+
+@wrong("a d of its own to begin with")
+def one_d_for_both(cx, cy, rx, ry, color):
+    x, y, d = 0, ry, ry * ry - rx * rx * ry + rx * rx / 4
+    while y >= 0:
+        four(cx, cy, x, y, color)
+        level = ry * ry * x < rx * rx * y
+        if level or d <= 0:
+            x += 1
+            d += 2 * ry * ry * x
+        if not level or d >= 0:
+            y -= 1
+            d -= 2 * rx * rx * y
+        d += ry * ry if level else rx * rx
+
+
+@wrong("always drawn around the same place")
+def in_the_middle(x, y, rx, ry, color):
+    midpoint(320, 240, rx, ry, color)
+
+
+@wrong("half as large")
+def halved(x, y, rx, ry, color):
+    midpoint(x, y, rx // 2, ry // 2, color)
 
 
 @pytest.mark.parametrize(("function", "hint"), wrong.table, ids=wrong.names)

@@ -267,7 +267,7 @@ def for_ever(x, y, color):
     by_list(x, y, color, lambda found: True)
 
 
-@floods("Python says")
+@floods("is the name written as where it was set")
 def a_name_that_is_not_there(x, y, color):
     putpixels(x, y, color)  # type: ignore[name-defined]  # noqa: F821
 

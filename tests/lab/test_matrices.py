@@ -103,7 +103,7 @@ def in_one_row(tx, ty):
     return [1, 0, tx, 0, 1, ty, 0, 0, 1]
 
 
-@moves("Python says what it could not do")
+@moves("is the name written as where it was set")
 def misspelt(tx, ty):
     return [[1, 0, tx], [0, 1, yt], [0, 0, 1]]  # type: ignore[name-defined]  # noqa: F821
 
