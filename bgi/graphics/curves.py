@@ -138,12 +138,12 @@ class Curves(Pen):
                     self.page.styled_line(*strand, self._ink, SOLID, self._xor)
             return
         page, color, xor = self.page, self._ink, self._xor
-        figure = THICK_CURVES[start, end, rx, ry, xor, page.trace, page.width]
-        if page.put_offsets(x, y, figure, color, xor):
-            return
-        if ellipses.is_fine(rx, ry):
-            page.put_seen(x, y, figure, color, xor)
-        else:
+        around = x - rx - 2, y - ry - 2, x + rx + 2, y + ry + 2
+        if ellipses.is_fine(rx, ry) or page.holds(*around):
+            figure = THICK_CURVES[start, end, rx, ry, xor, page.trace, page.width]
+            if not page.put_offsets(x, y, figure, color, xor):
+                page.put_seen(x, y, figure, color, xor)
+        elif page.meets(*around):
             x1, y1, x2, y2 = ellipses.thick_sides(start, end, rx, ry)
             strands = lines.strands_many((x + x1, y + y1, x + x2, y + y2))
             page.line_many(strands, np.full(len(strands[0]), color), SOLID, xor)

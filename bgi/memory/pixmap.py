@@ -68,6 +68,24 @@ class Pixmap:
         self.box = left, top, right, bottom = box
         self._left, self._top, self._right, self._bottom = left, top, right, bottom
 
+    def holds(self, left: int, top: int, right: int, bottom: int) -> bool:
+        """Whether the clipping box cuts nothing of another box."""
+        return (
+            self._left <= left
+            and self._top <= top
+            and right <= self._right
+            and bottom <= self._bottom
+        )
+
+    def meets(self, left: int, top: int, right: int, bottom: int) -> bool:
+        """Whether the clipping box shows something of another box."""
+        return (
+            left <= self._right
+            and right >= self._left
+            and top <= self._bottom
+            and bottom >= self._top
+        )
+
     def replay(self, before: Pixels, places: Ints, at_once: int) -> Iterator[int]:
         """Set once more what has been set since `before`: so many pixels at once, in that order.
 

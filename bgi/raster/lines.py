@@ -40,6 +40,8 @@ CHUNK = 8192
 """Pixels traced at a time: such arrays fit into the processor's cache."""
 _MOVES = 8
 """More moves than any line needs to come inside: each end crosses at most two edges."""
+_FEW = 40
+"""Below this many lines that an edge cuts, one after another is faster than all at once."""
 _FRACTION_BITS = 32
 """Bits after the binary point of a step along the shorter axis."""
 _SHIFT = np.array(_FRACTION_BITS)
@@ -91,15 +93,46 @@ def _move(x: int, y: int, dx: int, dy: int, box: Box) -> tuple[int, int]:
 
 def clip_many(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]:
     """`clip` for arrays: the lines that remain, and which of the given ones they are."""
-    left, top, right, bottom = box
+    beyond = _beyond(segments, box)
+    kept = np.flatnonzero(~beyond)
+    if len(kept) < len(beyond):
+        x1, y1, x2, y2 = (end[kept] for end in segments)
+    else:
+        x1, y1, x2, y2 = segments
+    cut = np.flatnonzero(_outside(x1, y1, box) | _outside(x2, y2, box))
+    if not len(cut):
+        return (x1, y1, x2, y2), kept
+    cut_many = _cut_each if len(cut) < _FEW else _cut_together
+    pieces, left = cut_many((x1[cut], y1[cut], x2[cut], y2[cut]), box)
+    stay = np.ones(len(kept), np.bool_)
+    stay[cut] = False
+    cut = cut[left]
+    stay[cut] = True
+    whole = x1.copy(), y1.copy(), x2.copy(), y2.copy()
+    for end, piece in zip(whole, pieces, strict=True):
+        end[cut] = piece
+    x1, y1, x2, y2 = (end[stay] for end in whole)
+    return (x1, y1, x2, y2), kept[stay]
+
+
+def _cut_each(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]:
+    """`clip_many` of a few lines."""
+    each = zip(*(end.tolist() for end in segments), strict=True)
+    found = [clip(x1, y1, x2, y2, box) for x1, y1, x2, y2 in each]
+    left = [number for number, piece in enumerate(found) if piece]
+    pieces = np.array([found[number] for number in left], np.int64).reshape(-1, 4)
+    return (pieces[:, 0], pieces[:, 1], pieces[:, 2], pieces[:, 3]), np.array(left, np.intp)
+
+
+def _cut_together(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]:
+    """`clip_many` of lines that have an end outside."""
     x1, y1, x2, y2 = segments
     dx, dy = x2 - x1, y2 - y1
     kept = np.arange(len(x1))
     for _ in range(_MOVES):
-        outside = (np.maximum(x1, x2) < left) | (np.minimum(x1, x2) > right)
-        outside |= (np.maximum(y1, y2) < top) | (np.minimum(y1, y2) > bottom)
-        if outside.any():
-            stay = ~outside
+        beyond = _beyond((x1, y1, x2, y2), box)
+        if beyond.any():
+            stay = ~beyond
             x1, y1, x2, y2, dx, dy, kept = (a[stay] for a in (x1, y1, x2, y2, dx, dy, kept))
         out1, out2 = _outside(x1, y1, box), _outside(x2, y2, box)
         if not (out1.any() or out2.any()):
@@ -109,6 +142,15 @@ def clip_many(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]
         x2, y2 = _moved(x2, y2, dx, dy, out2 & ~out1, box)
     inside = ~(_outside(x1, y1, box) | _outside(x2, y2, box))
     return (x1[inside], y1[inside], x2[inside], y2[inside]), kept[inside]
+
+
+def _beyond(segments: Segments, box: Box) -> NDArray[np.bool_]:
+    """Which lines have both ends beyond the same edge."""
+    left, top, right, bottom = box
+    x1, y1, x2, y2 = segments
+    beyond: NDArray[np.bool_] = (np.maximum(x1, x2) < left) | (np.minimum(x1, x2) > right)
+    beyond |= (np.maximum(y1, y2) < top) | (np.minimum(y1, y2) > bottom)
+    return beyond
 
 
 def _outside(x: Ints, y: Ints, box: Box) -> NDArray[np.bool_]:

@@ -391,6 +391,7 @@ def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode
     with (
         patch("bgi.graphics.curves.PIECES", Kept(by_lines, 1000)),
         patch.object(curves, "is_fine", lambda *_: False),
+        patch.object(Page, "holds", cut),
         nullcontext() if thin else patch.object(Page, "put_offsets", cut),
     ):
         plain = drawn(call, centre, style, xor, mode, fill)

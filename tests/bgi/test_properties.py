@@ -431,6 +431,20 @@ def test_a_clipped_end_is_moved_before_the_other_one():
     assert not many.page.array.any()
 
 
+@quick
+@given(ends=st.lists(st.tuples(huge, huge, huge, huge), min_size=1, max_size=60))
+@pytest.mark.parametrize("few", [0, 100])
+def test_lines_are_clipped_together_as_each_of_them_is(few, ends):
+    box = LEFT, TOP, RIGHT, BOTTOM
+    fits = all(abs(number) < 1 << 24 for line in ends for number in line)
+    x1, y1, x2, y2 = np.array(ends, np.int64 if fits else object).T
+    with patch.object(lines, "_FEW", few):
+        found, kept = lines.clip_many((x1, y1, x2, y2), box)
+    pieces = [lines.clip(x1, y1, x2, y2, box) for x1, y1, x2, y2 in ends]
+    assert kept.tolist() == [number for number, piece in enumerate(pieces) if piece]
+    assert list(zip(*(end.tolist() for end in found), strict=True)) == [p for p in pieces if p]
+
+
 def test_graphresult_is_sticky_until_read():
     made = screen()
     made.setlinestyle(9, 0, 1)
