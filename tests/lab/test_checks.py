@@ -63,7 +63,7 @@ def endless():
 
 
 def endless_in_one_line():
-    """Of which no debugger sees a line."""
+    """Of which Python 3.11 shows a debugger no line; newer ones may."""
     while True: pass  # fmt: skip  # noqa: E701
 
 
@@ -96,7 +96,7 @@ def strange():
 
 SURVIVED = [
     (endless, "it does not end"),
-    (endless_in_one_line, "it does not end: stopped after 6 seconds"),
+    (endless_in_one_line, "it does not end: stopped after "),
     (endless_whatever_comes, "it does not end"),
     (lambda: sys.exit(3), "it ends the program"),
     (lambda: input("x?"), "it asks for input"),
