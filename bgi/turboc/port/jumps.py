@@ -73,15 +73,17 @@ def _structured(items: list[Act], label: str, whole: bool) -> list[Act]:
 
 def _loop(mark: Act, body: list[Act], label: str, kind: type[Again] | type[Leave]) -> Act:
     """Statements that are done again, or left, by a jump: those in loops of their own stay."""
-    last = body[-1]
-    if isinstance(last, Branch) and last.no is None and kind is Again:
-        again = walking.items_of(last.yes)
-        if len(again) == 1 and isinstance(again[0], Jump):
-            inside = [_outermost(one, label, kind) for one in body[:-1]]
-            return Loop(mark.place, None, last.condition, None, Group(mark.place, inside), True)
+    last, place = body[-1], mark.place
+    again = walking.items_of(last.yes) if isinstance(last, Branch) and last.no is None else []
+    if isinstance(last, Branch) and kind is Again and [type(one) for one in again] == [Jump]:
+        inside = [_outermost(one, label, kind) for one in body[:-1]]
+        if not any(_jumps_to(one, label) for one in body[:-1]):
+            return Loop(place, None, last.condition, None, Group(place, inside), True)
+        rest = Branch(last.place, last.condition, Group(place, []), Group(place, [Leave(place)]))
+        return Loop(place, None, None, None, Group(place, [*inside, rest]))
     changed = [_outermost(one, label, kind) for one in body]
-    ended = changed if walking.ends_here(changed) else [*changed, Leave(mark.place)]
-    return Loop(mark.place, None, None, None, Group(mark.place, ended))
+    ended = changed if walking.ends_here(changed) else [*changed, Leave(place)]
+    return Loop(place, None, None, None, Group(place, ended))
 
 
 def _jumps_to(act: Act, label: str) -> bool:

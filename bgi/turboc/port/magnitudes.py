@@ -24,6 +24,9 @@ from bgi.turboc.emitter.wrapping import Interval
 SCREEN = 640
 """The largest number that a variable is thought to hold."""
 
+FACTOR = 1
+"""The same of a real number: it is an angle, a sine, a ratio."""
+
 HIGHEST = 0x7FFF
 
 
@@ -32,7 +35,7 @@ def magnitude(value: Value, known: dict[Symbol, Interval]) -> int:
     match value:
         case Constant(value=number):
             return abs(int(number))
-        case Variable(symbol=symbol):
+        case Variable(symbol=symbol) if isinstance(value.type, IntType):
             return min(known.get(symbol, (0, SCREEN))[1], SCREEN)
         case Comparison() | Connective() | Inverse():
             return 1
@@ -40,15 +43,15 @@ def magnitude(value: Value, known: dict[Symbol, Interval]) -> int:
             return max(_cut(yes, known), _cut(no, known))
         case Signed(operand=operand):
             return magnitude(operand, known)
-        case Converted(operand=operand) if isinstance(operand.type, FloatType):
-            return SCREEN
+        case Converted(operand=operand) if FloatType in (type(operand.type), type(value.type)):
+            return magnitude(operand, known)
         case Converted(operand=operand) if isinstance(operand.type, IntType):
             assert isinstance(value.type, IntType)
             narrower = value.type.bits <= operand.type.bits
             return magnitude(operand, known) if narrower else _cut(operand, known)
         case Arithmetic():
             return _computed(value, known)
-    return SCREEN
+    return FACTOR if isinstance(value.type, FloatType) else SCREEN
 
 
 def _cut(value: Value, known: dict[Symbol, Interval]) -> int:
@@ -59,6 +62,8 @@ def _computed(value: Arithmetic, known: dict[Symbol, Interval]) -> int:
     op = value.op
     if op == "%":
         return min(_cut(value.left, known), _cut(value.right, known))
+    if op == "/" and isinstance(value.type, FloatType):
+        return FACTOR
     if op in ("/", ">>", "&", "|", "^"):
         return _cut(value.left, known)
     left, right = magnitude(value.left, known), magnitude(value.right, known)

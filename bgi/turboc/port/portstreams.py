@@ -32,6 +32,9 @@ from bgi.turboc.port.portobjects import PortObjects
 from bgi.turboc.port.pycode import Code, call, quoted
 
 _OUTPUTS = ("cout", "cerr", "clog")
+_COMPARED = ("operator<", "operator>")
+"""What `cout < "text"` does, a slip that was let pass: nothing."""
+
 _LETTERS: dict[Type, str] = {UNSIGNED: "u", LONG: "ld", ULONG: "lu"}
 _LINES = {"endl": "\n", "flush": "", "ends": "\0"}
 
@@ -48,7 +51,9 @@ class PortStreams(PortObjects):
 
     def stream(self, value: MethodCall) -> Code:
         """A call of a method of a stream; what is written as a chain is one printf()."""
-        chain = _chain(value)
+        chain = [one for one in _chain(value) if one.method.name not in _COMPARED]
+        if not chain:
+            return Code("")
         base = chain[0].base
         while isinstance(base, Converted):
             base = base.operand
