@@ -169,22 +169,22 @@ class Areas(Pixmap):
 
     def _area_within(self, box: Box, x: int, y: int, border: int, color: int, rows: bytes) -> Rows:
         """What of an area a flood finds that stays within a box."""
-        left, top, right, _ = box
+        left, top, right, bottom = box
         width = right - left + 2
         place = (y - top + 1) * width + x - left
-        inside, marks = _marks(box)
-        np.not_equal(self._part(box), self.flat.dtype.type(border), out=marks)
-        if not inside[place]:
+        pixels = np.full((bottom - top + 3, width), border, self.flat.dtype)  # and a rim
+        pixels[1:-1, :-1] = self.array[top : bottom + 1, left : right + 1]
+        inside = pixels != self.numbers[border]
+        if not inside.item(place):
             return [], [], []
-        ways, unfilled = _marks(box)
-        self._mark_unfilled(box, color, rows, unfilled)
-        unfilled &= marks
+        ways = self._unfilled(pixels, box, color, rows)
+        ways &= inside
         # The driver looks for a pixel to go on from between the outer columns only.
         if left == self._left:
-            unfilled[:, 0] = False
+            ways[:, 0] = False
         if right == self._right:
-            unfilled[:, -1] = False
-        starts, ends = flood(inside, ways, width, place)
+            ways[:, -2] = False
+        starts, ends = flood(bytearray(inside), bytearray(ways), width, place)
         first = top - 1
         return (
             [start // width + first for start in starts],
@@ -192,34 +192,22 @@ class Areas(Pixmap):
             [(end - 1) % width + left for end in ends],
         )
 
-    def _part(self, box: Box) -> Pixels:
-        """The pixels of a box."""
-        left, top, right, bottom = box
-        part: Pixels = self.array[top : bottom + 1, left : right + 1]
-        return part
+    def _unfilled(self, pixels: Pixels, box: Box, color: int, rows: bytes) -> Mask:
+        """Which pixels of a box, and of the rim around, a fill would change.
 
-    def _mark_unfilled(self, box: Box, color: int, rows: bytes, marks: Mask) -> None:
-        """Mark the pixels of a box that a fill would change.
-
-        Rows that the pattern leaves empty are marked whole, so that the flood crosses them.
+        Rows that the pattern leaves empty count whole, so that the flood crosses them.
         """
         if rows == SOLID_ROWS:
-            np.not_equal(self._part(box), self.flat.dtype.type(color), out=marks)
-            return
+            changed: Mask = pixels != self.numbers[color]
+            return changed
         left, top, right, bottom = box
         row = np.arange(top, bottom + 1) & 7
-        inked = self._ink(color, rows).block[row, left : right + 1]
-        np.not_equal(self._part(box), inked, out=marks)
+        inked = pixels.copy()
+        inked[1:-1, :-1] = self._ink(color, rows).block[row, left : right + 1]
+        changed = pixels != inked
         empty = np.frombuffer(rows, np.uint8)[row] == 0
-        marks |= empty[:, np.newaxis]
-
-
-def _marks(box: Box) -> tuple[bytearray, Mask]:
-    """A byte for each pixel of a box, as `floodfill` takes them: all, and those of the box."""
-    left, top, right, bottom = box
-    shape = bottom - top + 3, right - left + 2
-    marks = bytearray(shape[0] * shape[1])
-    return marks, np.frombuffer(marks, np.bool_).reshape(shape)[1:-1, :-1]
+        changed[1:-1] |= empty[:, np.newaxis]
+        return changed
 
 
 def _leaves(area: Rows, box: Box, view: Box) -> bool:

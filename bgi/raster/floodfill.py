@@ -27,22 +27,23 @@ from bgi.raster.lines import Ints
 Runs = tuple[list[int], list[int]]
 """Where each of them starts, and where it ends (excluded)."""
 
-_YES = b"\1"
+_YES, _NO = b"\1", b"\0"
 FEW = 1500
 """Runs: more of them are found sooner by arrays."""
 
 
 def flood(inside: bytearray, ways: bytearray, width: int, place: int) -> Runs:
     """The runs to fill from a place. The ways are used up."""
-    first, last = inside.rfind(0, 0, place) + 1, inside.find(0, place)
+    find_way, find_start, find_end = ways.find, inside.rfind, inside.find
+    first, last = find_start(_NO, 0, place) + 1, find_end(_NO, place)
     starts, ends = [first], [last]
     used, nothing = memoryview(ways), bytes(width)
     used[first:last] = nothing[: last - first]
     for start, end in zip(starts, ends, strict=True):  # which grow
         for step in (-width, width):
             way, stop = start + step, end + step
-            while way < stop and (way := ways.find(_YES, way, stop)) >= 0:
-                first, last = inside.rfind(0, 0, way) + 1, inside.find(0, way)
+            while way < stop and (way := find_way(_YES, way, stop)) >= 0:
+                first, last = find_start(_NO, 0, way) + 1, find_end(_NO, way)
                 used[first:last] = nothing[: last - first]
                 starts.append(first)
                 ends.append(last)
