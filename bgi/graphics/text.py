@@ -175,20 +175,23 @@ class Text(State):
             return
         dx, dy = layout.anchor(font, text, scale, vertical, style.horiz, style.vert)
         x, y = x + dx, y + dy
+        put, ink, xor = self.page.put_offsets, self._ink, self._xor
         for code in text:
             pixels, across, down = letter(way, code)
-            if pixels is None or not self.page.put_offsets(x, y, pixels, self._ink, self._xor):
+            if pixels is None or not put(x, y, pixels, ink, xor):
                 self._write_letter(x, y, layout.strokes(font, code, scale, vertical).tolist())
-            x, y = x + across, y + down
+            x += across
+            y += down
 
     def _write_letter(self, x: int, y: int, strokes: list[Segment]) -> None:
         """One letter that an edge cuts, or a large one."""
-        for x1, y1, x2, y2 in strokes:
-            line = x + x1, y + y1, x + x2, y + y2
-            if self._xor:
-                self.page.styled_line(*line, self._ink, SOLID, True)
-            else:
-                self.page.line(*line, self._ink)
+        page, ink = self.page, self._ink
+        if self._xor:
+            for x1, y1, x2, y2 in strokes:
+                page.styled_line(x + x1, y + y1, x + x2, y + y2, ink, SOLID, True)
+        else:
+            for x1, y1, x2, y2 in strokes:
+                page.line(x + x1, y + y1, x + x2, y + y2, ink)
 
 
 def _share(length: int, justification: int, whole_at: int) -> int:

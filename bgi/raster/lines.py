@@ -70,7 +70,12 @@ def clip(x1: int, y1: int, x2: int, y2: int, box: Box) -> Segment | None:
     left, top, right, bottom = box
     dx, dy = x2 - x1, y2 - y1
     for _ in range(_MOVES):
-        if max(x1, x2) < left or min(x1, x2) > right or max(y1, y2) < top or min(y1, y2) > bottom:
+        if (
+            (x1 < left and x2 < left)
+            or (x1 > right and x2 > right)
+            or (y1 < top and y2 < top)
+            or (y1 > bottom and y2 > bottom)
+        ):
             return None
         if not (left <= x1 <= right and top <= y1 <= bottom):
             x1, y1 = _move(x1, y1, dx, dy, box)
