@@ -35,7 +35,7 @@ WIDEST = 1 << 62
 
 _ANSWERS = {
     **dict.fromkeys(("getmaxx", "getmaxy"), (0, 4095)),
-    **dict.fromkeys(("kbhit",), (0, 1)),
+    **{"kbhit": (0, 1), "rand": (0, 0x7FFF)},
     **dict.fromkeys(("getpixel", "getcolor", "getbkcolor", "getmaxcolor"), (0, 255)),
 }
 """What functions of the library answer at most."""
@@ -63,6 +63,9 @@ def interval(value: Value, known: Known) -> Interval:
             return known.get(member(base.type, name), whole)
         case Comparison() | Connective() | Inverse():
             return 0, 1
+        case LibraryCall(name="random", arguments=(most,)) if isinstance(most.type, IntType):
+            low, high = cut(most, known)
+            return (0, high) if low >= 0 else whole
         case LibraryCall(name=name):
             return _ANSWERS.get(name, whole)
         case Choice(yes=yes, no=no):

@@ -16,6 +16,7 @@ from bgi.turboc.checker.typed import (
     Select,
 )
 from bgi.turboc.port import walking
+from bgi.turboc.port.walking import Out
 
 MOST_COPIES = 12
 """Statements at the end of a function that may be written again for a goto that leads there."""
@@ -90,7 +91,8 @@ def _jumps_to(act: Act, label: str) -> bool:
     return any(one.label == label for one in walking.jumps_in([act]))
 
 
-def _outermost(act: Act, label: str, kind: type[Again] | type[Leave]) -> Act:
+def _outermost(act: Act, label: str, kind: type[Act]) -> Act:
+    """A statement with its jumps to a label replaced, but those in loops of their own."""
     match act:
         case Jump(label=one) if one == label:
             return kind(act.place)
@@ -99,7 +101,8 @@ def _outermost(act: Act, label: str, kind: type[Again] | type[Leave]) -> Act:
         case Branch():
             no = _outermost(act.no, label, kind) if act.no is not None else None
             return Branch(act.place, act.condition, _outermost(act.yes, label, kind), no)
-        case Select() if kind is Again:
+        case Select():
+            kind = Out if kind is Leave else kind
             parts = [
                 (known, [_outermost(one, label, kind) for one in body]) for known, body in act.parts
             ]

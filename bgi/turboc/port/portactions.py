@@ -251,7 +251,7 @@ class PortActions(PortLoops):
         self.names.modules.add("sys")
         self.line(f"sys.exit({self.value(value)})")
 
-    def _leave(self, act: Leave) -> None:
+    def _leave(self, act: Leave | walking.Out) -> None:
         self.line("break")
 
     # Switch
@@ -315,6 +315,7 @@ _WRITERS: dict[type, Callable[[PortActions, Any], None]] = {
     Loop: PortLoops.loop,
     Select: PortActions._select,
     Leave: PortActions._leave,
+    walking.Out: PortActions._leave,
     Again: PortLoops.again,
     Give: PortActions._give,
     Jump: PortActions._jump,

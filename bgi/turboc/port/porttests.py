@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bgi.turboc.checker.typed import (
+    Arithmetic,
     Choice,
     Comparison,
     Connective,
@@ -72,12 +73,18 @@ class PortTests(PortPlaces):
                     return Code(str(bool(number)))
             case Element() if self.is_character(value):
                 return self._behind(value)
+            case Arithmetic(op="%"):
+                return self._remainder(value)
         code = self.value(value)
         if isinstance(value.type, PointerType):
             return binary("is not", code, Code("None"))
         if code.startswith("int(") and code.endswith(")") and isinstance(value, _BOOLEAN):
             return Code(code[4:-1])
         return code
+
+    def _remainder(self, value: Arithmetic) -> Code:
+        """What is left by a division, for whoever only asks whether it is 0: its sign is free."""
+        return binary("%", self.value(value.left), self.value(value.right))
 
     def is_character(self, value: Value) -> bool:
         """Whether it is a letter of a Python string."""
@@ -126,6 +133,9 @@ class PortTests(PortPlaces):
             if op in ("==", "!=") and isinstance(other, Constant) and self.is_character(letter):
                 return self._letters(op, letter, other)
             zero = isinstance(other, Constant) and other.value == 0
+            divided = isinstance(letter, Arithmetic) and letter.op == "%"
+            if zero and divided and op in ("==", "!="):
+                return binary(op, self._remainder(letter), Code("0"))  # type: ignore[arg-type]
             if zero and isinstance(letter, LibraryCall):
                 texts = self.compared(letter, op if one is left else _MIRRORED[op])
                 if texts is not None:

@@ -32,6 +32,12 @@ from bgi.turboc.checker.typed import (
 from bgi.turboc.checker.types import Symbol
 
 
+class Out(Act):
+    """Leaves a loop from a switch in it: Python's `break`, but not C's."""
+
+    __slots__ = ()
+
+
 def values(thing: Any) -> Iterator[Value]:
     """All values in a value, a statement or a list of them, from the outside in."""
     if isinstance(thing, (list, tuple)):
@@ -175,7 +181,7 @@ def ends_here(thing: list[Act]) -> bool:
             whole = any(None in values for values, _ in act.parts)
             left = any(leaves_switch(body) for body in parts)
             return whole and not left and bool(parts[-1]) and ends_here(parts[-1])
-        return isinstance(act, (Leave, Give, Again, Jump))
+        return isinstance(act, (Leave, Give, Again, Jump, Out))
     return False
 
 
