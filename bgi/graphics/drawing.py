@@ -101,6 +101,8 @@ class Drawing(Pen):
             dx, dy = self._dx, self._dy
             if self._plain:
                 self.page.line(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
+            elif self._bold:
+                self.page.thick_line(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
             else:
                 self._segment(x1 + dx, y1 + dy, x2 + dx, y2 + dy, self._ink)
         elif is_array(x1) or is_array(y1) or is_array(x2) or is_array(y2) or is_array(color):

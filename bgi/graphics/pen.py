@@ -56,14 +56,14 @@ class Pen(State):
         page = self.page
         if self._plain:
             page.line(x1, y1, x2, y2, color)
+        elif self._bold:
+            page.thick_line(x1, y1, x2, y2, color)
         elif self._wide:
             for strand in self._strands(x1, y1, x2, y2):
                 if self._xor:
                     page.styled_line(*strand, color, self._dashes, True)
                 else:
                     page.line(*strand, color)
-        elif self._solid:
-            page.thick_line(x1, y1, x2, y2, color)
         else:
             self._styled(x1, y1, x2, y2, color)
 

@@ -104,14 +104,15 @@ class State:
         line = self.settings.line
         style, width = line.linestyle, line.thickness
         bits = line.upattern if style == USERBIT_LINE else LINE_PATTERNS[style]
-        self._wide = width > THICK_WIDTH
-        if self._wide:  # a brush draws no gaps
+        self._wide = wide = width > THICK_WIDTH
+        if wide:  # a brush draws no gaps
             bits = SOLID_BITS
         self._dashes = dashes(highest_first(bits) if self._packed else bits)
         self._thick = thick = width >= THICK_WIDTH
         self._xor = xor = self.settings.writemode != COPY_PUT
-        self._solid = solid = bits == SOLID_BITS and not xor
+        solid = bits == SOLID_BITS and not xor
         self._plain = solid and not thick
+        self._bold = solid and thick and not wide
 
     def _use_charsize(self, size: int) -> None:
         """Take over a size for the built-in font: width and height of its characters."""
