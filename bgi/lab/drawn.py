@@ -171,9 +171,11 @@ class DrawingExercise:
                 return OPEN if trouble.error is None else self.instead
             return self.troubles(first) or supervision.usual(trouble)
         plain = [fault for fault in evidence.faults if not fault.outcome.trouble]
-        for faults in (plain, [first]):  # two mistakes in one program: then the one that is shown
+        others = [fault.trial for fault in evidence.faults[1:]] + evidence.right
+        alone = Evidence([first], others)  # two mistakes in one program: then the one that is shown
+        for known in (Evidence(plain, evidence.right), alone):
             for seems, hint in self.signs:
-                if seems(Evidence(faults, evidence.right)):
+                if seems(known):
                     return hint
         return self.otherwise
 

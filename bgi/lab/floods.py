@@ -13,7 +13,7 @@ from bgi.constants import SOLID_FILL, WHITE
 from bgi.graphics import Graphics
 from bgi.lab.comparison import Pixels
 from bgi.lab.drawn import DrawingExercise, Evidence, Fault, Sign, Trial, by_bgi
-from bgi.lab.signs import COMMON, first_about
+from bgi.lab.signs import COMMON, around, first_about
 from bgi.lab.supervision import DEEPEST
 
 Draw = Callable[[Graphics], None]
@@ -51,7 +51,7 @@ def _outline(points: list[tuple[int, int]], screen: Graphics) -> None:
 
 
 def _box(side: int, screen: Graphics) -> None:
-    screen.rectangle(20, 20, 21 + side, 21 + side, BORDER)
+    screen.rectangle(30, 20, 31 + side, 21 + side, BORDER)
 
 
 def _circle(screen: Graphics) -> None:
@@ -60,13 +60,13 @@ def _circle(screen: Graphics) -> None:
 
 def _island(screen: Graphics) -> None:
     _box(14, screen)
-    screen.rectangle(25, 25, 29, 28, BORDER)
+    screen.rectangle(35, 25, 39, 28, BORDER)
 
 
 def _picture(screen: Graphics) -> None:
     _box(12, screen)
     screen.setfillstyle(SOLID_FILL, INSIDE)
-    screen.bar(24, 24, 27, 30)
+    screen.bar(34, 24, 37, 30)
 
 
 def _corner(screen: Graphics) -> None:
@@ -95,14 +95,14 @@ WAYS = [(20, 20), (34, 20), (34, 34), (20, 34), (20, 30), (30, 30), (30, 24), (2
 STAIRS = [(20, 20), (24, 20), (24, 24), (28, 24), (28, 28), (32, 28), (32, 36), (20, 36)]
 
 PLACES: list[tuple[str, int, int, Draw]] = [
-    ("plain", 25, 25, partial(_box, 8)),
-    ("plain", 21, 21, partial(_box, 8)),
-    ("plain", 28, 28, partial(_box, 8)),
-    ("plain", 21, 21, partial(_box, 1)),
+    ("plain", 35, 25, partial(_box, 8)),
+    ("plain", 31, 21, partial(_box, 8)),
+    ("plain", 38, 28, partial(_box, 8)),
+    ("plain", 31, 21, partial(_box, 1)),
     ("winding", 22, 22, partial(_outline, WAYS)),
     ("winding", 22, 32, partial(_outline, WAYS)),
     ("winding", 30, 34, partial(_outline, STAIRS)),
-    ("island", 22, 22, _island),
+    ("island", 32, 22, _island),
     ("thin", 40, 40, _circle),
     ("edge", 5, 5, _corner),
     ("edge", 0, 0, _corner),
@@ -121,15 +121,15 @@ def _again(draw: Draw, x: int, y: int, color: int, screen: Graphics) -> None:
 def _boundary_trials(deep: bool) -> Iterator[Trial]:
     places: list[tuple[str, int, int, Draw]] = [
         *PLACES,
-        ("picture", 22, 22, _picture),
-        ("picture", 25, 25, _picture),
-        ("on the border", 20, 25, partial(_box, 8)),
+        ("picture", 32, 22, _picture),
+        ("picture", 35, 25, _picture),
+        ("on the border", 30, 25, partial(_box, 8)),
         *([("large", 50, 50, partial(_box, LARGE))] if deep else []),
     ]
     for number, (about, x, y, draw) in enumerate(places):
         color = (4, 9, 14)[number % 3]
         yield _boundary_trial(about, x, y, color, draw)
-    yield _boundary_trial("again", 25, 25, 4, partial(_again, partial(_box, 8), 25, 25, 4))
+    yield _boundary_trial("again", 35, 25, 4, partial(_again, partial(_box, 8), 35, 25, 4))
 
 
 def _boundary_trial(about: str, x: int, y: int, color: int, draw: Draw) -> Trial:
@@ -154,7 +154,7 @@ def _flood_trials(deep: bool) -> Iterator[Trial]:
         color = (4, 9, 14)[number % 3]
         yield _flood_trial(about, x, y, color, draw)
     yield _flood_trial("again", 21, 21, INSIDE, _patch)
-    yield _flood_trial("again", 25, 25, 0, partial(_box, 8))
+    yield _flood_trial("again", 35, 25, 0, partial(_box, 8))
 
 
 def _flood_trial(about: str, x: int, y: int, color: int, draw: Draw) -> Trial:
@@ -202,15 +202,51 @@ def _half(dx: int, dy: int) -> Callable[[Evidence], bool]:
             (px - x) * dx + (py - y) * dy > 0 for px, py in fault.missing
         )
 
-    return lambda evidence: first_about("plain")(evidence) and seems(evidence.faults[0])
+    return _plain(seems)
+
+
+def _plain(test: Callable[[Fault], bool]) -> Callable[[Evidence], bool]:
+    """A sign that the first fault shows, if it is in a plain box, and pixels are missing there."""
+    return lambda evidence: (
+        first_about("plain")(evidence)
+        and bool(evidence.faults[0].missing)
+        and test(evidence.faults[0])
+    )
+
+
+def _two_ways(fault: Fault) -> bool:
+    """All that is filled lies in one quarter, seen from the place."""
+    x, y, *_ = fault.arguments
+    seen = [(px - x, py - y) for px, py in fault.drawn]
+    return bool(seen) and any(
+        all(dx * right >= 0 and dy * down >= 0 for dx, dy in seen)
+        for right in (1, -1)
+        for down in (1, -1)
+    )
+
+
+def _chequered(fault: Fault) -> bool:
+    """Every second pixel is filled, as on a chessboard."""
+    return len({(x + y) % 2 for x, y in fault.drawn}) == 1
+
+
+def _not_reached(evidence: Evidence) -> bool:
+    """Far away there is filled, too, and nothing is missing."""
+    first = evidence.faults[0]
+    far = not first.extra <= around(first.wanted)
+    return first_about("plain")(evidence) and far and not first.missing
 
 
 def _on_the_border(evidence: Evidence) -> bool:
     """What is filled too much touches what is wanted, and no more."""
 
     def seems(fault: Fault) -> bool:
-        near = {(x + dx, y + dy) for x, y in fault.wanted for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
-        return not fault.missing and bool(fault.wanted) and fault.extra <= near
+        return (
+            not fault.missing
+            and bool(fault.wanted)
+            and bool(fault.extra)
+            and fault.extra <= around(fault.wanted)
+        )
 
     return seems(evidence.faults[0])
 
@@ -224,8 +260,18 @@ _REPLACED = (
 
 SIGNS: list[Sign] = [
     *COMMON,
-    (_seed_only, "only the first pixel is set: its four neighbours are filled in the same way"),
+    (
+        _seed_only,
+        "only the first pixel is set: its four neighbours are filled in the same way, and the old"
+        " colour is found out before that pixel is set",
+    ),
     (_one_line, "only one line is filled: go to the neighbours above and below, too"),
+    (
+        _plain(_chequered),
+        "every second pixel: neighbours are right, left, above and below, not at the corners",
+    ),
+    (_plain(_two_ways), "it goes in two directions only: x + 1, x - 1, y + 1 and y - 1 are four"),
+    (_not_reached, "only what can be reached from the place: it goes from pixel to neighbour"),
     (_half(-1, 0), "nothing is filled to the left of the place: four neighbours, x - 1 is one"),
     (_half(1, 0), "nothing is filled to the right of the place: four neighbours, x + 1 is one"),
     (_half(0, -1), "nothing is filled above the place: four neighbours, y - 1 is one"),
@@ -261,6 +307,13 @@ FLOOD_SIGNS: list[Sign] = [
 ]
 
 _LOST = "the same places come again and again: ask whether a pixel has the colour already"
+_THROUGH = (
+    "it goes through the border: go on only where a pixel is not border and not of the colour"
+)
+_EVERYWHERE = (
+    "it goes everywhere: find out the old colour once, before the first pixel is set, and go on"
+    " only where a pixel still has it"
+)
 TROUBLES = {
     "thin": _FOUR,
     "edge": "it runs off the screen: go on only where 0 <= x <= getmaxx() and 0 <= y <= getmaxy()",
@@ -272,12 +325,20 @@ TROUBLES = {
 """The hints for a function that runs on for ever, by what is special about the trial."""
 
 
-def _trouble(fault: Fault) -> str:
+def _trouble(far: str, fault: Fault) -> str:
+    """The hint for an error, or no end; `far` is the one for a fill that gets out."""
     trouble = fault.outcome.trouble
     assert trouble is not None
+    if isinstance(trouble.error, IndexError):
+        return "nothing waits any more: that is the end, while waiting: not while True:"
     if trouble.kind not in ("endless", "deep"):
         return ""
-    return TROUBLES.get(fault.trial.about, _LOST)
+    if fault.trial.about in TROUBLES:
+        return TROUBLES[fault.trial.about]
+    x, y, *_ = fault.arguments
+    if (y, x) in fault.drawn and not fault.drawn & fault.wanted:
+        return "x and y are exchanged: getpixel(x, y) and putpixel(x, y, color)"
+    return _LOST if fault.extra <= around(fault.wanted) else far
 
 
 INSTEAD = "set the pixels by putpixel, or level lines by line(): the exercise is to find them"
@@ -287,11 +348,13 @@ def boundary(deep: bool) -> DrawingExercise:
     """Filling as far as a border."""
     names = "x", "y", "color", "border"
     trials = partial(_boundary_trials, deep)
-    return DrawingExercise("boundary", names, trials, BOUNDARY_SIGNS, _trouble, ("line",), INSTEAD)
+    trouble = partial(_trouble, _THROUGH)
+    return DrawingExercise("boundary", names, trials, BOUNDARY_SIGNS, trouble, ("line",), INSTEAD)
 
 
 def flood(deep: bool) -> DrawingExercise:
     """Filling an area of one colour."""
     names = "x", "y", "color"
     trials = partial(_flood_trials, deep)
-    return DrawingExercise("flood", names, trials, FLOOD_SIGNS, _trouble, ("line",), INSTEAD)
+    trouble = partial(_trouble, _EVERYWHERE)
+    return DrawingExercise("flood", names, trials, FLOOD_SIGNS, trouble, ("line",), INSTEAD)

@@ -111,9 +111,13 @@ def _shape(fault: Fault) -> Shape:
 
 def _only_sides(evidence: Evidence) -> bool:
     """What is drawn are the sides, and nothing inside."""
-    return evidence.mostly and evidence.always(
-        lambda fault: not fault.extra and not (fault.drawn & _required(fault))
-    )
+
+    def seems(fault: Fault) -> bool:
+        rows = {y for _, y in fault.drawn}
+        inside = fault.drawn & _required(fault)
+        return not fault.extra and not inside and len(fault.drawn) > len(rows) > 1
+
+    return evidence.mostly and evidence.always(seems)
 
 
 def _required(fault: Fault) -> set[Place]:
@@ -141,8 +145,11 @@ def _boxed(evidence: Evidence) -> bool:
 
 def _in_rows(rows: Callable[[Fault], set[int]]) -> Callable[[Evidence], bool]:
     """Only such rows are wrong."""
-    return lambda evidence: evidence.always(
-        lambda fault: {y for _, y in fault.missing | fault.extra} <= rows(fault)
+    return lambda evidence: (
+        len(evidence.faults) > 1
+        and evidence.always(
+            lambda fault: {y for _, y in fault.missing | fault.extra} <= rows(fault)
+        )
     )
 
 
@@ -222,7 +229,8 @@ SIGNS: list[Sign] = [
     ),
     (
         _only_missing,
-        "parts are not filled: has each row found all its crossings, sorted from left to right?",
+        "parts are not filled: has each row found all its crossings, also those with sides that go"
+        " up, and sorted them from left to right?",
     ),
     (_only_extra, "it is filled too far: where does a row end?"),
 ]
@@ -235,8 +243,11 @@ def _trouble(fault: Fault) -> str:
     if isinstance(fault.outcome.trouble.error, IndexError):
         return (
             "an odd number of crossings in a row? Count each side from its upper end, and stop"
-            " before its lower end"
+            " before its lower end. Or points[i + 1] after the last point? That is joined to the"
+            " first one"
         )
+    if isinstance(fault.outcome.trouble.error, ValueError):
+        return "a polygon has any number of points, three or more: take them in a loop"
     return ""
 
 
@@ -248,4 +259,7 @@ EXERCISE = DrawingExercise(
     _trouble,
     allowed=("line",),
     instead="set the pixels by putpixel, or level lines by line(): the exercise is to find them",
+    otherwise="the crossings are elsewhere: where a row y meets a side, x is"
+    " x1 + (y - y1) * (x2 - x1) / (y2 - y1), with x1 and y1 of the same end, and / not //. A side"
+    " counts only between its upper end and its lower end",
 )

@@ -16,11 +16,11 @@ def on_screen(x, y):
     return 0 <= x <= getmaxx() and 0 <= y <= getmaxy()
 
 
-def by_list(x, y, color, inside, neighbours=FOUR, bounded=True):
+def by_list(x, y, color, inside, neighbours=FOUR, bounded=on_screen):
     waiting = [(x, y)]
     while waiting:
         x, y = waiting.pop()
-        if (not bounded or on_screen(x, y)) and inside(getpixel(x, y)):
+        if bounded(x, y) and inside(getpixel(x, y)):
             putpixel(x, y, color)
             waiting += [(x + dx, y + dy) for dx, dy in neighbours]
 
@@ -189,7 +189,7 @@ def straight_rows(x, y, color, border):
 
 @borders("off the screen")
 def without_edges(x, y, color, border):
-    boundary(x, y, color, border, bounded=False)
+    boundary(x, y, color, border, bounded=lambda x, y: True)
 
 
 @borders("the same places come again and again")
@@ -203,6 +203,100 @@ def recursion_without_an_end(x, y, color, border):
         putpixel(x, y, color)
         for dx, dy in FOUR:
             recursion_without_an_end(x + dx, y + dy, color, border)
+
+
+@borders("every second pixel")
+def over_the_corners(x, y, color, border):
+    boundary(x, y, color, border, neighbours=EIGHT[4:])
+
+
+@borders("two directions only")
+def right_and_down(x, y, color, border):
+    boundary(x, y, color, border, neighbours=FOUR[::2])
+
+
+@borders("it goes through the border")
+def or_for_and(x, y, color, border):
+    by_list(x, y, color, lambda found: found != color or found != border)
+
+
+@borders("it goes through the border")
+def another_border(x, y, color, border):
+    by_list(x, y, color, lambda found: found not in (4, color))
+
+
+@borders("the edge of the screen")
+def without_the_last_column(x, y, color, border):
+    by_list(
+        *(x, y, color),
+        lambda found: found not in (color, border),
+        bounded=lambda x, y: 0 <= x < getmaxx() and 0 <= y < getmaxy(),
+    )
+
+
+@borders("x and y are exchanged")
+def exchanged(x, y, color, border):
+    boundary(y, x, color, border)
+
+
+@borders("while waiting:")
+def never_asks_whether_it_waits(x, y, color, border):
+    waiting = [(x, y)]
+    while True:
+        x, y = waiting.pop()
+        if on_screen(x, y) and getpixel(x, y) not in (color, border):
+            putpixel(x, y, color)
+            waiting += [(x + dx, y + dy) for dx, dy in FOUR]
+
+
+@borders("set it first, or use the arguments")
+def counts_in_a_global(x, y, color, border):
+    count += 1  # type: ignore[name-defined]  # noqa: F821, F841
+
+
+@floods("find out the old colour once")
+def asks_for_the_old_one_each_time(x, y, color):
+    if on_screen(x, y) and getpixel(x, y) != color:
+        putpixel(x, y, color)
+        for dx, dy in FOUR:
+            asks_for_the_old_one_each_time(x + dx, y + dy, color)
+
+
+@floods("found out before that pixel is set")
+def asks_too_late_for_it(x, y, color):
+    putpixel(x, y, color)
+    old = getpixel(x, y)
+    by_list(x, y, color, lambda found: found == old != color)
+
+
+@floods("only what can be reached")
+def all_of_that_color(x, y, color):
+    old = getpixel(x, y)
+    for px in range(100):
+        for py in range(100):
+            if getpixel(px, py) == old:
+                putpixel(px, py, color)
+
+
+@floods("the colour that the function is given")
+def in_red(x, y, color):
+    flood(x, y, 4)
+
+
+@floods("around corners")
+def from_the_middle_of_each_row(x, y, color):
+    old, waiting = getpixel(x, y), [(x, y)]
+    while old != color and waiting:
+        x, y = waiting.pop()
+        left = right = x
+        while on_screen(left - 1, y) and getpixel(left - 1, y) == old:
+            left -= 1
+        while on_screen(right + 1, y) and getpixel(right + 1, y) == old:
+            right += 1
+        line(left, y, right, y, color)
+        waiting += [
+            (x, y + d) for d in (-1, 1) if on_screen(x, y + d) and getpixel(x, y + d) == old
+        ]
 
 
 @floods("recursion too deep")
@@ -259,10 +353,10 @@ def the_same_colour_for_ever(x, y, color):
 
 @floods("off the screen")
 def beyond_the_edges(x, y, color):
-    flood(x, y, color, bounded=False)
+    flood(x, y, color, bounded=lambda x, y: True)
 
 
-@floods("the same places come again and again")
+@floods("it goes everywhere")
 def for_ever(x, y, color):
     by_list(x, y, color, lambda found: True)
 

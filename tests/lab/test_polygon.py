@@ -205,6 +205,93 @@ def divides_by_level_sides(points, color):
             putpixel(round(x1 + (y - y1) * (x2 - x1) / (y2 - y1)), y, color)
 
 
+def by_pairs(
+    points, color, crossing, take=lambda found: zip(found[::2], found[1::2], strict=False)
+):
+    """As learners write it: `crossing` says where a side meets a row."""
+    for y in rows(points):
+        found = []
+        for (x1, y1), (x2, y2) in sides(points):
+            if min(y1, y2) <= y < max(y1, y2):
+                found += crossing(x1, y1, x2, y2, y)
+        for a, b in take(sorted(found)):
+            for x in range(max(round(a), 0), min(round(b), 639) + 1):
+                putpixel(x, y, color)
+
+
+def right_crossing(x1, y1, x2, y2, y):
+    return [x1 + (y - y1) * (x2 - x1) / (y2 - y1)]
+
+
+@wrong("x1 + (y - y1) * (x2 - x1) / (y2 - y1)")
+def whole_slopes(points, color):
+    by_pairs(points, color, lambda x1, y1, x2, y2, y: [x1 + (y - y1) * ((x2 - x1) // (y2 - y1))])
+
+
+@wrong("with x1 and y1 of the same end")
+def x_of_another_end(points, color):
+    def crossing(x1, y1, x2, y2, y):
+        return [x1 + (y - min(y1, y2)) * (x2 - x1) / (y2 - y1)]
+
+    by_pairs(points, color, crossing)
+
+
+@wrong("between its upper end and its lower end")
+def sides_that_stay(points, color):
+    """The edge table, out of which nothing is ever taken."""
+    for y in rows(points):
+        found = sorted(crossings(points, y, lambda top, y, bottom: top <= y))
+        for a, b in zip(found[::2], found[1::2], strict=False):
+            line(max(round(a), 0), y, min(round(b), 639), y, color)
+
+
+@wrong("also those with sides that go up")
+def only_sides_that_go_down(points, color):
+    by_pairs(points, color, lambda x1, y1, x2, y2, y: right_crossing(x1, y1, x2, y2, y) * (y1 < y2))
+
+
+@wrong("sorted them from left to right")
+def sorted_from_the_right(points, color):
+    by_pairs(points, color, right_crossing, lambda found: zip(found[1::2], found[::2], strict=True))
+
+
+@wrong("from the third to the fourth")
+def between_all(points, color):
+    by_pairs(points, color, right_crossing, pairwise)
+
+
+@wrong("from the third to the fourth")
+def the_first_pair(points, color):
+    by_pairs(points, color, right_crossing, lambda found: [found[:2]] if len(found) > 1 else [])
+
+
+@wrong("only the sides are there")
+def sets_the_crossings(points, color):
+    by_pairs(points, color, right_crossing, lambda found: zip(found, found, strict=True))
+
+
+@wrong("take them in a loop")
+def of_four_points(points, color):
+    a, b, c, d = points
+    scan_line([a, b, c, d], color)
+
+
+@wrong("That is joined to the first")
+def beyond_the_last_point(points, color):
+    for i, (x1, y1) in enumerate(points):
+        line(x1, y1, *points[i + 1], color)
+
+
+@wrong("no variables from outside")
+def always_one(points, color):
+    scan_line([(10, 10), (50, 10), (30, 40)], color)
+
+
+@wrong("what it returns is not looked at")
+def returns_rows(points, color):
+    return [crossings(points, y) for y in rows(points)]
+
+
 @wrong("an odd number of crossings")
 def pairs_that_are_not_there(points, color):
     for y in rows(points):
