@@ -135,6 +135,7 @@ LAYERS = [
     "bgi.lab.lineclips",
     "bgi.lab.polygonclips",
     "bgi.lab.matrices",
+    "bgi.lab.windowmaps",
     "bgi.lab.splines",
     "bgi.lab.spaceviews",
     "bgi.lab.showing",

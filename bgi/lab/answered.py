@@ -76,6 +76,10 @@ class AnswerExercise:
     same: Callable[[Answer, Answer, Arguments], bool] = same
     sketch: Callable[[Graphics, Arguments, Answer], None] | None = None
     """Draws a case and an answer to it; only the case if that is None."""
+    parts: tuple[str, ...] = ("x", "y")
+    """What the numbers of an answer are called."""
+    otherwise: str = ""
+    """The hint where nothing else fits."""
 
     def check(self, function: Callable[..., Any]) -> Verdict:
         """Try a function."""
@@ -124,17 +128,46 @@ class AnswerExercise:
         if first.outcome.trouble is not None:
             kind, error = first.outcome.trouble.kind, first.outcome.trouble.error
             names = (kind, type(error).__name__)
-            found = [self.troubles[name] for name in names if name in self.troubles]
+            known = {"BGIError": COMPUTES} | dict(self.troubles)
+            found = [known[name] for name in names if name in known]
             return found[0] if found else supervision.usual(first.outcome.trouble)
+        if first.outcome.value is None and first.outcome.printed.strip():
+            return "it prints the answer: return it"
         if first.unreadable:
-            return f"the answer must be {first.unreadable}"
+            must = f"the answer must be {first.unreadable}"
+            return must if first.outcome.value is not None else f"{must}: is there a return?"
+        return self._slipped(misses) or self.otherwise
+
+    def _slipped(self, misses: list[Miss]) -> str:
+        """The hint for answers that can be read, and are wrong."""
+        if _rows_are_one(misses[0].outcome.value):
+            return "[[0] * 3] * 3 is one row, three times the same: write each row by itself"
         answered = [miss for miss in misses if not (miss.outcome.trouble or miss.unreadable)]
+        if len({miss.answer for miss in answered}) == 1 < len(answered) and answered[0].answer:
+            return "the answer is always the same: use the arguments, no variables from outside"
         tests = [(slip.hint, self._gives(slip)) for slip in self.slips]
-        for hint, fits in [*tests, (ROUNDED, self._is_rounded)]:
+        near = [(ROUNDED, self._is_rounded), (NEARLY, self._is_near)]
+        for hint, fits in [*tests, *near]:
             fitting = {fits(miss) for miss in answered}
             if True in fitting and False not in fitting:
                 return hint
-        return ""
+        first = answered[:2]  # the others may have another slip
+        alone = (hint for hint, fits in tests if all(map(fits, first)))
+        return self._wrong_parts(answered) or next(alone, "")
+
+    def _wrong_parts(self, misses: list[Miss]) -> str:
+        """Which numbers of the answers are wrong, if others never are."""
+        wrong: set[str] = set()
+        for miss in misses:
+            right = self.read(self.right(*miss.arguments))
+            if miss.answer is None or right is None or len(miss.answer) != len(self.parts):
+                return ""
+            pairs = zip(self.parts, miss.answer, right, strict=True)
+            wrong |= {part for part, a, b in pairs if not same((a,), (b,))}
+        if not 0 < len(wrong) <= min(2, len(self.parts) // 2) or len(misses) < 2:
+            return ""
+        named = " and ".join(part for part in self.parts if part in wrong)
+        return f"only {named} {'is' if len(wrong) == 1 else 'are'} wrong: all else is right"
 
     def _gives(self, slip: Slip) -> Callable[[Miss], bool | None]:
         """Whether a slip gives the same wrong answer; None where it has none to give."""
@@ -155,6 +188,13 @@ class AnswerExercise:
         pairs = zip(miss.answer, right, strict=True)
         return all(a == int(a) and abs(a - b) < 1 for a, b in pairs)
 
+    def _is_near(self, miss: Miss) -> bool:
+        right = self.read(self.right(*miss.arguments))
+        if miss.answer is None or right is None or len(miss.answer) != len(right):
+            return False
+        pairs = zip(miss.answer, right, strict=True)
+        return all(math.isclose(a, b, rel_tol=0.01, abs_tol=0.01) for a, b in pairs)
+
     def _picture(self, miss: Miss) -> Image | None:
         if self.sketch is None or miss.outcome.trouble or miss.unreadable:
             return None
@@ -170,6 +210,13 @@ class AnswerExercise:
         return side_by_side(got, expected, ground) if (got != expected).any() else None
 
 
+def _rows_are_one(value: Any) -> bool:
+    """Whether it is a list that holds one and the same list."""
+    return isinstance(value, list) and len(value) > 1 and value[0] is value[1]
+
+
+COMPUTES = "the function computes, and draws nothing: it returns its answer"
+NEARLY = "it is nearly right: is something rounded on the way, or a constant? math.pi is exact"
 ROUNDED = "the answer is rounded: give it as it is computed; pixels come later"
 
 

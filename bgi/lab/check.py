@@ -32,6 +32,7 @@ from bgi.lab import (
     spaceviews,
     splines,
     straight,
+    windowmaps,
 )
 from bgi.lab.answered import AnswerExercise
 from bgi.lab.drawn import DrawingExercise
@@ -177,7 +178,7 @@ def window_to_viewport(function: Function) -> Verdict:
         function: my_map(window, viewport), both (left, top, right, bottom): left goes to left, top
             to top.
     """
-    return _checked(matrices.EXERCISES["window_to_viewport"], function)
+    return _checked(windowmaps.EXERCISE, function)
 
 
 def bezier(function: Function) -> Verdict:

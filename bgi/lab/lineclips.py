@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import Any
+from operator import floordiv, truediv
+from typing import Any, cast
 
 from bgi.constants import DARKGRAY, YELLOW
 from bgi.graphics import Graphics
@@ -129,6 +130,12 @@ def _only_inside(x1: int, y1: int, x2: int, y2: int, *box: int) -> Ends | None:
     return (x1, y1, x2, y2) if inside else None
 
 
+def _both_outside(x1: int, y1: int, x2: int, y2: int, *box: int) -> bool:
+    left, top, right, bottom = box
+    ends = (x1, y1), (x2, y2)
+    return not any(left <= x <= right and top <= y <= bottom for x, y in ends)
+
+
 def _clamped(x1: int, y1: int, x2: int, y2: int, *box: int) -> Ends | None:
     left, top, right, bottom = box
     if clip_line(x1, y1, x2, y2, *box) is None:
@@ -144,8 +151,116 @@ def _exchanged(*given: int) -> Ends | None:
     return found and (*found[2:], *found[:2])
 
 
+Code = Callable[[float, float, Box], int]
+
+
+def _code(x: float, y: float, box: Box) -> int:
+    """Cohen and Sutherland's: 1 left, 2 right, 4 below, 8 above."""
+    left, top, right, bottom = box
+    return (x < left) + 2 * (x > right) + 4 * (y > bottom) + 8 * (y < top)
+
+
+def _exchanging(one: int, other: int) -> Code:
+    """With two bits exchanged."""
+
+    def code(x: float, y: float, box: Box) -> int:
+        right = _code(x, y, box)
+        kept = right & ~(one | other)
+        return kept | (other if right & one else 0) | (one if right & other else 0)
+
+    return code
+
+
+def _by_codes(code: Code, turns: int = 9, divided: Any = truediv) -> Any:
+    """Cohen and Sutherland's, with a mistake; ValueError where it would not end."""
+
+    def formula(x1: float, y1: float, x2: float, y2: float, *given: int) -> Ends | None:
+        left, top, right, bottom = box = cast(Box, given)
+        for _ in range(turns):
+            one, other = code(x1, y1, box), code(x2, y2, box)
+            if one & other:
+                return None
+            if not one | other:
+                return x1, y1, x2, y2
+            out = one or other
+            if out & 12:
+                y = float(top if out & 8 else bottom)
+                x = x1 + divided((x2 - x1) * (y - y1), y2 - y1)
+            else:
+                x = float(left if out & 1 else right)
+                y = y1 + divided((y2 - y1) * (x - x1), x2 - x1)
+            if one:
+                x1, y1 = x, y
+            else:
+                x2, y2 = x, y
+        if turns == 1:
+            return x1, y1, x2, y2
+        raise ValueError
+
+    return formula
+
+
+def _loosely(limits: tuple[int, int], takes: Any, tests: str = "side aside") -> Any:
+    """Liang and Barsky's, with a mistake: other limits of t, other ones taken, tests left out."""
+
+    def formula(x1: int, y1: int, x2: int, y2: int, *box: int) -> Ends | None:
+        left, top, right, bottom = box
+        dx, dy = x2 - x1, y2 - y1
+        found = [Fraction(limit) for limit in limits]
+        for step, room in ((-dx, x1 - left), (dx, right - x1), (-dy, y1 - top), (dy, bottom - y1)):
+            if step == 0 and room < 0 and "aside" in tests:
+                return None
+            if step:
+                which = step > 0
+                found[which] = takes[which](found[which], Fraction(room, step))
+        if found[0] > found[1] and "side" in tests.split():
+            return None
+        return _cut(x1, y1, x2, y2, *found)
+
+    return formula
+
+
 FAR = 10**6
 SLIPS = [
+    Slip(
+        lambda *given: clip_line(*given) or (0, 0, 0, 0),
+        "where nothing is inside the answer is None, no line",
+    ),
+    Slip(
+        _by_codes(_exchanging(1, 2)),
+        "left and right are exchanged: an end moves to the edge that it is beyond",
+    ),
+    Slip(
+        _by_codes(_exchanging(4, 8)),
+        "top and bottom are exchanged: an end moves to the edge that it is beyond",
+    ),
+    Slip(_by_codes(_code, divided=floordiv), "// cuts off: divide by /"),
+    Slip(
+        lambda *given: None if _both_outside(*given) else clip_line(*given),
+        "two ends outside are not yet nothing: the line may pass through. Only where both are"
+        " beyond the same edge it is: code1 & code2, not code1 and code2",
+    ),
+    Slip(
+        _loosely((0, 1), (max, min), "side"),
+        "a line along an edge, beside the window: where p is 0 and q is less than 0 it is None",
+    ),
+    Slip(
+        _loosely((0, 1), (max, min), "aside"),
+        "where the first t is larger than the second one nothing is inside: None",
+    ),
+    Slip(
+        _loosely((0, 1), (min, max)),
+        "the first t is the largest of those where the line comes in, the second one the smallest"
+        " of those where it goes out: max and min are exchanged",
+    ),
+    Slip(
+        _loosely((-FAR, FAR), (max, min)),
+        "t begins with 0 and ends with 1: the line does not go on beyond its ends",
+    ),
+    Slip(
+        _with_box(lambda left, top, right, bottom: (left, top, left + right, top + bottom)),
+        "right and bottom are edges, not sizes",
+    ),
     Slip(_exchanged, "the ends are exchanged: the first end stays the first"),
     Slip(_whole, "what is outside is known, but nothing is cut off from the other lines"),
     Slip(lambda *given: given[:4], "nothing is cut off"),
@@ -178,7 +293,7 @@ SLIPS = [
     ),
     Slip(
         lambda *given: None,
-        "it is always None: y grows downwards, so that top is less than bottom",
+        "it is always None: is there a return? And y grows downwards: top is less than bottom",
     ),
     Slip(
         _with_box(lambda left, top, right, bottom: (left, top, right - 1, bottom - 1)),
@@ -187,6 +302,10 @@ SLIPS = [
     Slip(
         _with_box(lambda left, top, right, bottom: (left + 1, top + 1, right - 1, bottom - 1)),
         "the edges belong to the window: <=, not <",
+    ),
+    Slip(
+        _by_codes(_code, turns=1),
+        "one end, at one edge, is not enough: go on until both ends are inside",
     ),
 ]
 
@@ -203,7 +322,8 @@ def _draw_line(screen: Graphics, arguments: Arguments, answer: Answer) -> None:
 EDGES = "left", "top", "right", "bottom"
 UPRIGHT = {
     "ZeroDivisionError": "a line that is upright, or level: with one of the edges it never meets",
-    "endless": "each turn must move an end to an edge; find out anew where that end is",
+    "endless": "each turn must move an end to an edge, and find out anew where that end is: on the"
+    " edge it is inside. Where both ends are beyond one edge, nothing is",
 }
 EXERCISE = AnswerExercise(
     "clip_line",
@@ -215,4 +335,7 @@ EXERCISE = AnswerExercise(
     UPRIGHT,
     _same_line,
     _draw_line,
+    parts=("x1", "y1", "x2", "y2"),
+    otherwise="an end that is beyond an edge moves to it along the line: at the left edge x is"
+    " left, and y is y1 + (left - x1) * (y2 - y1) / (x2 - x1), with the old x1",
 )

@@ -8,14 +8,13 @@ cos]]; on the screen, where y grows downwards, that is clockwise.
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import product
-from math import cos, radians, sin
+from math import cos, pi, radians, sin
+from operator import mul
 from typing import Any
 
 from bgi.lab.answered import AnswerExercise, Slip, matrix
 
 Matrix = list[list[float]]
-Box = tuple[float, float, float, float]
 
 
 def translation(tx: float, ty: float) -> Matrix:
@@ -35,15 +34,7 @@ def rotation(degrees: float) -> Matrix:
 
 def about(degrees: float, x: float, y: float) -> Matrix:
     """Turns everything around x, y."""
-    return _product(translation(x, y), rotation(degrees), translation(-x, -y))
-
-
-def window_to_viewport(window: Box, viewport: Box) -> Matrix:
-    """Brings the corners of the window to those of the viewport: left to left, top to top."""
-    left, top, right, bottom = window
-    to_left, to_top, to_right, to_bottom = viewport
-    scale = scaling((to_right - to_left) / (right - left), (to_bottom - to_top) / (bottom - top))
-    return _product(translation(to_left, to_top), scale, translation(-left, -top))
+    return product(translation(x, y), rotation(degrees), translation(-x, -y))
 
 
 def _turn(angle: float) -> Matrix:
@@ -51,7 +42,8 @@ def _turn(angle: float) -> Matrix:
     return [[c, -s, 0], [s, c, 0], [0, 0, 1]]
 
 
-def _product(*factors: Matrix) -> Matrix:
+def product(*factors: Matrix) -> Matrix:
+    """Rows by columns; what stands at the right is done first."""
     one, *others = factors
     for other in others:
         columns = list(zip(*other, strict=True))
@@ -59,12 +51,13 @@ def _product(*factors: Matrix) -> Matrix:
     return one
 
 
-def _transposed(formula: Callable[..., Matrix]) -> Slip:
+def transposed(formula: Callable[..., Matrix]) -> Slip:
+    """For points that are rows."""
     hint = "the matrix is transposed: here points are columns, and what moves stands at the right"
     return Slip(lambda *given: list(zip(*formula(*given), strict=True)), hint)
 
 
-def _cornerless(formula: Callable[..., Matrix]) -> Slip:
+def cornerless(formula: Callable[..., Matrix]) -> Slip:
     """Whose last row is nothing."""
     hint = "the last row is 0 0 1: without that 1 nothing is moved"
     return Slip(lambda *given: [*formula(*given)[:2], [0, 0, 0]], hint)
@@ -76,6 +69,7 @@ def _other_sense(formula: Callable[..., Matrix]) -> Slip:
 
 
 RADIANS = "the angle comes in degrees, cos and sin want radians: math.radians(degrees)"
+ENTRIES = tuple(f"row {row}, column {column}" for row in (1, 2, 3) for column in (1, 2, 3))
 ANGLES = 90, 180, 45, 30, -30, 60, 270, 360, 0, 10, 123, -200, 400
 STEPS = -40, -3, 0, 2.5, 100
 
@@ -83,12 +77,12 @@ EXERCISES = {
     "translation": AnswerExercise(
         "translation",
         ("tx", "ty"),
-        lambda: [(5, 3), *product(STEPS, STEPS)],
+        lambda: [(5, 3), *((tx, ty) for tx in STEPS for ty in STEPS)],
         translation,
         matrix,
         [
-            _transposed(translation),
-            _cornerless(translation),
+            transposed(translation),
+            cornerless(translation),
             Slip(lambda tx, ty: translation(ty, tx), "tx and ty are exchanged"),
             Slip(lambda tx, ty: translation(-tx, -ty), "it moves the other way"),
             Slip(lambda tx, ty: translation(tx, tx), "ty is not used"),
@@ -102,19 +96,35 @@ EXERCISES = {
                 lambda tx, ty: [[1, 0, tx], [0, 1, ty], [0, 0, 0]],
                 "the last row is 0 0 1",
             ),
+            Slip(lambda tx, ty: translation(0, 0), "tx and ty are not used: nothing moves"),
+            Slip(
+                lambda tx, ty: [[1, 0, tx], [0, 1, ty], [tx, ty, 1]],
+                "what moves stands in the last column only: the last row is 0 0 1",
+            ),
+            Slip(
+                lambda tx, ty: [[1, 1, tx], [1, 1, ty], [0, 0, 1]],
+                "ones belong on the diagonal only",
+            ),
+            Slip(lambda tx, ty: scaling(1 + tx, 1 + ty), "that is scaling"),
         ],
+        parts=ENTRIES,
     ),
     "scaling": AnswerExercise(
         "scaling",
         ("sx", "sy"),
-        lambda: [(2, 3), *product((0.5, 1, 2, -1, 10), (0.25, 1, 3, -2))],
+        lambda: [(2, 3), *((sx, sy) for sx in (0.5, 1, 2, -1, 10) for sy in (0.25, 1, 3, -2))],
         scaling,
         matrix,
         [
-            _cornerless(scaling),
+            cornerless(scaling),
             Slip(lambda sx, sy: scaling(sy, sx), "sx and sy are exchanged"),
             Slip(lambda sx, sy: scaling(1 / sx, 1 / sy), "it shrinks where it should stretch"),
             Slip(lambda sx, sy: scaling(sx, sx), "sy is not used"),
+            Slip(lambda sx, sy: scaling(sy, sy), "sx is not used"),
+            Slip(
+                lambda sx, sy: scaling(sx / 100, sy / 100),
+                "sx and sy are no percentages: 1 leaves everything as it is",
+            ),
             Slip(translation, "that is translation: what stretches stands on the diagonal"),
             Slip(lambda sx, sy: scaling(sx + 1, sy + 1), "1 leaves everything as it is, not 0"),
             Slip(
@@ -130,6 +140,7 @@ EXERCISES = {
                 "the last row is 0 0 1",
             ),
         ],
+        parts=ENTRIES,
     ),
     "rotation": AnswerExercise(
         "rotation",
@@ -140,7 +151,7 @@ EXERCISES = {
         [
             Slip(_turn, RADIANS),
             Slip(lambda degrees: _turn(-degrees), RADIANS),
-            _cornerless(rotation),
+            cornerless(rotation),
             _other_sense(rotation),
             Slip(lambda degrees: rotation(2 * degrees), "it turns twice as far"),
             Slip(lambda degrees: rotation(90 - degrees), "cos and sin are exchanged"),
@@ -148,8 +159,16 @@ EXERCISES = {
             Slip(lambda degrees: _unlike(degrees, -1, -1), "only one of the two sines has a minus"),
             Slip(lambda degrees: _swapped(degrees), "cos and sin are exchanged"),
             Slip(
-                lambda degrees: _turn(degrees * 180 / 3.14),
+                lambda degrees: _turn(degrees * 180 / pi),
                 "that is degrees from radians: multiply by pi, and divide by 180",
+            ),
+            Slip(
+                lambda degrees: rotation(degrees / 2),
+                "it turns half as far: pi / 180 is a degree, a whole turn is 2 pi",
+            ),
+            Slip(
+                lambda degrees: _turn(degrees * pi // 180),
+                "// cuts the angle off: divide by /",
             ),
             Slip(lambda degrees: _turn(degrees * 3.14 / 180), "3.14 is too rough: use math.pi"),
             Slip(
@@ -157,6 +176,8 @@ EXERCISES = {
                 "a whole turn is 2 pi: math.radians(degrees)",
             ),
         ],
+        parts=ENTRIES,
+        otherwise="the rows are cos, -sin, 0 and sin, cos, 0 and 0, 0, 1",
     ),
     "about": AnswerExercise(
         "about",
@@ -176,33 +197,73 @@ EXERCISES = {
                 " translation(x, y) * rotation * translation(-x, -y)",
             ),
             Slip(
-                lambda degrees, x, y: _product(rotation(degrees), translation(-x, -y)),
+                lambda degrees, x, y: product(rotation(degrees), translation(-x, -y)),
                 "the point is moved to 0, 0 and turned there, but not moved back",
             ),
             Slip(
-                lambda degrees, x, y: _product(translation(x, y), rotation(degrees)),
+                lambda degrees, x, y: product(translation(x, y), rotation(degrees)),
                 "first of all the point must be moved to 0, 0",
             ),
             Slip(
-                lambda degrees, x, y: _product(rotation(degrees), translation(x, y)),
+                lambda degrees, x, y: product(rotation(degrees), translation(x, y)),
                 "first of all the point must be moved to 0, 0, by -x and -y",
             ),
             Slip(lambda degrees, x, y: about(degrees, y, x), "x and y are exchanged"),
             Slip(lambda degrees, x, y: _about(_turn(degrees), x, y), RADIANS),
             _other_sense(about),
-            _transposed(about),
-            _cornerless(about),
+            transposed(about),
+            cornerless(about),
             Slip(
                 lambda degrees, x, y: _about(list(zip(*rotation(degrees), strict=True)), -x, -y),
                 "the matrices are multiplied in the wrong order, and turned the wrong way",
             ),
+            Slip(
+                lambda degrees, x, y: _combined(mul, degrees, x, y),
+                "* multiplies number by number: the product of matrices is @",
+            ),
+            Slip(
+                lambda degrees, x, y: product(
+                    translation(x, y), rotation(degrees), translation(x, y)
+                ),
+                "both moves go the same way: first by -x and -y, at last by x and y",
+            ),
+            Slip(
+                lambda degrees, x, y: product(
+                    translation(-x, -y), rotation(degrees), translation(-x, -y)
+                ),
+                "both moves go the same way: first by -x and -y, at last by x and y",
+            ),
+            Slip(
+                lambda degrees, x, y: product(_as_row(-x, -y), rotation(degrees), _as_row(x, y)),
+                "the moves are matrices for points that are rows: here what moves stands in the"
+                " last column",
+            ),
         ],
+        {"TypeError": "are matrices multiplied? Lists are not: numpy.array(...) @, or three loops"},
+        parts=ENTRIES,
+        otherwise="three matrices are multiplied, rows by columns: translation(x, y) * rotation"
+        " * translation(-x, -y); what stands at the right is done first",
     ),
 }
 
 
 def _about(turn: Any, x: float, y: float) -> Matrix:
-    return _product(translation(x, y), turn, translation(-x, -y))
+    return product(translation(x, y), turn, translation(-x, -y))
+
+
+def _as_row(x: float, y: float) -> Matrix:
+    """A translation for points that are rows."""
+    return [[1, 0, 0], [0, 1, 0], [x, y, 1]]
+
+
+def _combined(operation: Callable[[float, float], float], *given: float) -> Matrix:
+    """The three matrices of a turn about a point, number by number."""
+    degrees, x, y = given
+    factors = translation(x, y), rotation(degrees), translation(-x, -y)
+    return [
+        [operation(operation(a, b), c) for a, b, c in zip(*rows, strict=True)]
+        for rows in zip(*factors, strict=True)
+    ]
 
 
 def _unlike(degrees: float, one: int, other: int) -> Matrix:
@@ -214,93 +275,3 @@ def _unlike(degrees: float, one: int, other: int) -> Matrix:
 def _swapped(degrees: float) -> Matrix:
     c, s = cos(radians(degrees)), sin(radians(degrees))
     return [[s, -c, 0], [c, s, 0], [0, 0, 1]]
-
-
-WINDOW, VIEWPORT = (0, 0, 100, 50), (200, 100, 400, 300)
-BOXES = [
-    (WINDOW, VIEWPORT),
-    ((0, 0, 1, 1), (0, 0, 639, 479)),
-    ((-3, -2, 5, 7), (10, 20, 50, 90)),
-    ((-1, 1, 1, -1), (0, 0, 639, 479)),  # a window whose y grows upwards
-    ((10, 10, 20, 30), (10, 10, 20, 30)),
-    ((-10, -1, -5, 1), (300, 0, 639, 20)),
-]
-
-
-def _fitted(window: Box, viewport: Box, *, shift: str = "both", divide: bool = False) -> Matrix:
-    """As `window_to_viewport`, with a mistake."""
-    left, top, right, bottom = window
-    to_left, to_top, to_right, to_bottom = viewport
-    across, down = (to_right - to_left) / (right - left), (to_bottom - to_top) / (bottom - top)
-    scale = scaling(1 / across, 1 / down) if divide else scaling(across, down)
-    there, back = translation(to_left, to_top), translation(-left, -top)
-    products = {
-        "both": (there, scale, back),
-        "none": (scale,),
-        "there": (there, scale),
-        "back": (scale, back),
-        "early": (scale, there, back),
-        "late": (there, back, scale),
-    }
-    return _product(*products[shift])
-
-
-EXERCISES["window_to_viewport"] = AnswerExercise(
-    "window_to_viewport",
-    ("window", "viewport"),
-    lambda: BOXES,
-    window_to_viewport,
-    matrix,
-    [
-        Slip(
-            lambda window, viewport: window_to_viewport(viewport, window),
-            "it goes from the viewport to the window: the other way round",
-        ),
-        _transposed(window_to_viewport),
-        _cornerless(window_to_viewport),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, divide=True),
-            "it shrinks where it should stretch: the viewport's size through the window's",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="none"),
-            "it only stretches: left, top of the window must come to left, top of the viewport",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="there"),
-            "first move the window's left, top to 0, 0",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="back"),
-            "at last move to the viewport's left, top",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="early"),
-            "it is moved to the viewport before it is stretched: stretch first",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="late"),
-            "it is stretched before it is moved to 0, 0: move first",
-        ),
-        Slip(
-            lambda window, viewport: window_to_viewport(
-                window, (viewport[0], viewport[3], viewport[2], viewport[1])
-            ),
-            "it is upside down: top of the window comes to top of the viewport",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(
-                window, (*viewport[:2], viewport[0] + viewport[2], viewport[1] + viewport[3])
-            ),
-            "right and bottom are corners, not sizes: the width is right - left",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(
-                (*window[:2], window[0] + window[2], window[1] + window[3]),
-                (*viewport[:2], viewport[0] + viewport[2], viewport[1] + viewport[3]),
-            ),
-            "right and bottom are corners, not sizes: the width is right - left",
-        ),
-    ],
-    {"ZeroDivisionError": "is it top - top, or left - left, that is divided by?"},
-)

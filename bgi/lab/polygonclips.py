@@ -9,7 +9,7 @@ from typing import Any
 from bgi.constants import DARKGRAY, SOLID_FILL, WHITE, YELLOW
 from bgi.graphics import Graphics
 from bgi.lab.answered import Answer, AnswerExercise, Arguments, Slip, numbers
-from bgi.lab.lineclips import BOX, EDGES, UPRIGHT
+from bgi.lab.lineclips import BOX, EDGES, UPRIGHT, clip_line
 
 Point = tuple[float, float]
 
@@ -159,6 +159,12 @@ def _pushed(points: Sequence[Point], left: float, top: float, right: float, bott
     return [(min(max(x, left), right), min(max(y, top), bottom)) for x, y in points]
 
 
+def _sides_alone(points: Sequence[Point], *box: float) -> Any:
+    sides = zip([*points[-1:], *points[:-1]], points, strict=True)
+    cut = [clip_line(*map(int, a), *map(int, b), *map(int, box)) for a, b in sides]
+    return [end for line in cut if line for end in (line[:2], line[2:])]
+
+
 def _bad_halves(keep: str) -> Any:
     """Each edge with a mistake: which of the points it keeps."""
 
@@ -173,8 +179,15 @@ def _bad_halves(keep: str) -> Any:
                 entering = is_in and not was_in
                 if is_in != was_in and not (keep == "no entry" and entering):
                     new.append(_crossing(a, b, axis, edge))
-                if is_in and not (keep == "no corner" and entering):
+                leaving = was_in and not is_in
+                if leaving and keep == "no exit":
+                    new.pop()
+                if (is_in and not (keep == "no corner" and entering)) or (
+                    leaving and keep == "outside"
+                ):
                     new.append(b)
+                if entering and keep == "late":
+                    new[-2:] = new[:-3:-1]
             found = new
         return found
 
@@ -183,20 +196,31 @@ def _bad_halves(keep: str) -> Any:
 
 SLIPS = [
     Slip(lambda points, *box: points, "nothing is cut off"),
+    Slip(_kept, "where a side crosses an edge there is a new point: cut there"),
     Slip(
         lambda points, *box: (
             clip_polygon(points, *box) if _kept(points, *box) == list(points) else []
         ),
         "a polygon that is only partly inside is not nothing: its part inside is wanted",
     ),
-    Slip(_kept, "where a side crosses an edge there is a new point: cut there"),
     Slip(_pushed, "points outside are pushed to the edges: cut the sides where they cross instead"),
     Slip(_halves(0, 1, 2), "the bottom edge does not cut"),
     Slip(_halves(0, 1, 3), "the top edge does not cut"),
     Slip(_halves(0, 2, 3), "the right edge does not cut"),
     Slip(_halves(1, 2, 3), "the left edge does not cut"),
     Slip(_halves(0, 1), "the top and bottom edges do not cut: y, too, has two"),
-    Slip(_halves(0), "only the left edge cuts: the result of one edge is cut by the next one"),
+    *(
+        Slip(
+            _halves(edge),
+            f"only the {name} edge cuts: what one edge has left is cut by the next one",
+        )
+        for edge, name in enumerate(("left", "right", "top", "bottom"))
+    ),
+    Slip(
+        _sides_alone,
+        "the sides are cut one by one, so that corners of the window are missing: cut the whole"
+        " polygon by one edge after the other",
+    ),
     Slip(
         _bad_halves("open"),
         "the side from the last point back to the first is missing",
@@ -209,7 +233,23 @@ SLIPS = [
         _bad_halves("no corner"),
         "where the polygon comes in, two points belong to it: the crossing, and the point itself",
     ),
-    Slip(lambda points, *box: [], "it is always empty: y grows downwards, top is less than bottom"),
+    Slip(
+        _bad_halves("no exit"),
+        "where the polygon goes out there is a new point, too: the crossing",
+    ),
+    Slip(
+        _bad_halves("outside"),
+        "where the polygon goes out only the crossing belongs to it: the point is outside",
+    ),
+    Slip(
+        _bad_halves("late"),
+        "where the polygon comes in the crossing is first, then the point",
+    ),
+    Slip(
+        lambda points, *box: [],
+        "it is always empty: is there a return? Is inside taken for outside? y grows downwards, and"
+        " top is less than bottom",
+    ),
 ]
 
 
@@ -234,4 +274,7 @@ EXERCISE = AnswerExercise(
     UPRIGHT | {"IndexError": "an edge may leave no point at all: then there is nothing to cut"},
     _same_area,
     _draw_polygon,
+    parts=(),
+    otherwise="a crossing lies at a + part * (b - a), part being (edge - a) / (b - a) across that"
+    " edge. Cut by one edge after the other, each time what the one before has left",
 )

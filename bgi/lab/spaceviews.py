@@ -55,6 +55,10 @@ EXERCISES = {
                 "z is counted from the screen, not from the eye: divide by distance + z",
             ),
             Slip(
+                lambda x, y, z, d: projection(x, y, abs(z), d),
+                "z may be less than 0, and things larger than they are: no abs()",
+            ),
+            Slip(
                 lambda x, y, z, d: (x * d / (d - z), y * d / (d - z)),
                 "what is farther away is smaller: z grows away from the eye, distance + z",
             ),
@@ -81,13 +85,49 @@ EXERCISES = {
                 lambda x, y, z, d: (x * z / (d + z), y * z / (d + z)),
                 "multiply by the distance of the screen, not by z",
             ),
-            Slip(lambda x, y, z, d: (x + z, y + z), "that moves things: perspective divides"),
+            Slip(
+                lambda x, y, z, d: (x + z, y + z),
+                "that moves things: perspective divides, by (distance + z) in brackets",
+            ),
             Slip(
                 lambda x, y, z, d: (x * d // (d + z), y * d // (d + z)),
                 "// cuts the fraction off: divide by /",
             ),
+            Slip(
+                lambda x, y, z, d: (x / z, y / z),
+                "z is counted from the screen, and the distance is missing: x * distance /"
+                " (distance + z)",
+            ),
+            *(
+                Slip(
+                    lambda x, y, z, d, sign=sign: (
+                        320 + x * d / (d + z),
+                        240 + sign * y * d / (d + z),
+                    ),
+                    "0, 0 is in the middle of the answer, too: nothing is added",
+                )
+                for sign in (1, -1)
+            ),
+            Slip(
+                lambda x, y, z, d: (x * d / (d + z) ** 2, y * d / (d + z) ** 2),
+                "divide by distance + z once, not by its square",
+            ),
+            Slip(
+                lambda x, y, z, d: (x * (1 - z / d), y * (1 - z / d)),
+                "1 - z / distance is only nearly right, and only near the screen: divide by"
+                " distance + z",
+            ),
+            Slip(
+                lambda x, y, z, d: projection(x, y, z, 100),
+                "the distance is given: use that, no fixed one",
+            ),
+            Slip(
+                lambda x, y, z, d: (x * d / (z - d), y * d / (z - d)),
+                "the eye lies at z = -distance, before the screen: divide by distance + z",
+            ),
         ],
         {"ZeroDivisionError": "the eye is `distance` before the screen: divide by distance + z"},
+        otherwise="by similar triangles x and y are multiplied by distance / (distance + z)",
     ),
     "paper": AnswerExercise(
         "paper",
@@ -149,9 +189,30 @@ EXERCISES = {
                 "x0 and y0 are exchanged",
             ),
             Slip(
+                lambda x, y, z, t, x0, y0: paper(x, y, z, pi / 4, x0, y0),
+                "theta is given: 45 degrees are only an example",
+            ),
+            Slip(
+                lambda x, y, z, t, x0, y0: paper(x, y, z, t, 320, 240),
+                "x0 and y0 are given: 320 and 240 are only an example",
+            ),
+            Slip(
+                lambda x, y, z, t, x0, y0: paper(x / 2, y, z, t, x0, y0),
+                "x is not halved: the paper shortens nothing",
+            ),
+            Slip(
+                lambda x, y, z, t, x0, y0: paper(-x, y, z, t, x0, y0),
+                "x goes to the lower left: - x * sin(theta), + x * cos(theta)",
+            ),
+            Slip(
+                lambda x, y, z, t, x0, y0: paper(x, -y, z, t, x0, y0),
+                "y goes to the right: x0 + y",
+            ),
+            Slip(
                 lambda x, y, z, t, x0, y0: paper(x, y, z, t, x0, y0)[::-1],
                 "the two results are exchanged: first how far right, then how far down",
             ),
         ],
+        otherwise="x' = x0 + y - x * sin(theta), and y' = y0 - z + x * cos(theta)",
     ),
 }

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
+from math import comb, prod
 
 from bgi.lab.answered import AnswerExercise, Arguments, Slip, point
 
@@ -80,6 +81,11 @@ def _sides(points: Points, t: float) -> Point:
     return _between(points[first], points[first + 1], place - first)
 
 
+def _sixths(t: float) -> Sequence[float]:
+    """Bézier's weights, divided by 6."""
+    return [comb(3, i) * t**i * (1 - t) ** (3 - i) / 6 for i in range(4)]
+
+
 def _times_six(points: Points, t: float) -> Point:
     x, y = bspline(points, t)
     return 6 * x, 6 * y
@@ -92,6 +98,19 @@ def _backwards(points: Points, t: float) -> Point:
 def _one_coordinate(points: Points, t: float) -> Point:
     x, _ = bezier(points, t)
     return x, x
+
+
+def _weighed(points: Points, t: float, factor: Callable[[int, int], int]) -> Point:
+    """By the formula, with other binomial numbers."""
+    n = len(points) - 1
+    return _mixed(points, [factor(n, i) * t**i * (1 - t) ** (n - i) for i in range(n + 1)])
+
+
+def _lagrange(points: Points, t: float) -> Point:
+    """The polynomial through all points."""
+    n = len(points) - 1
+    weights = [prod((n * t - j) / (i - j) for j in range(n + 1) if j != i) for i in range(n + 1)]
+    return _mixed(points, weights)
 
 
 SLIPS = [
@@ -125,7 +144,41 @@ SLIPS = [
         lambda points, t: bezier(points, t * t),
         "t is squared once too often",
     ),
+    Slip(lambda points, t: bezier(points, 0.5), "t is not used: it is always in the middle"),
+    Slip(
+        lambda points, t: bezier(points, int(t)), "int() leaves 0 and 1 of t: t is no whole number"
+    ),
+    Slip(lambda points, t: points[0], "it stays at the first point: which one is returned?"),
+    Slip(
+        lambda points, t: _between(points[0], points[1], t),
+        "that is one round only: go on until one point is left",
+    ),
+    Slip(
+        lambda points, t: bezier(points[:3], t),
+        "only the first three points are used: go on with as many as there are",
+    ),
+    Slip(
+        lambda points, t: bezier(points[:4], t),
+        "only the first four points are used: go on with as many as there are",
+    ),
+    Slip(
+        lambda points, t: _weighed(points, t, lambda n, i: 1),
+        "the binomial numbers are missing: math.comb(n, i) * t**i * (1 - t)**(n - i)",
+    ),
+    Slip(
+        lambda points, t: _weighed(points, t, lambda n, i: comb(n, i) * (i < n)),
+        "the last weight is missing: i runs from 0 to n, range(n + 1)",
+    ),
+    Slip(
+        lambda points, t: _weighed([*points, (0, 0)], t, comb),
+        "n is too large by one: four points make a curve of degree 3",
+    ),
+    Slip(_lagrange, "that curve goes through all its points: a Bézier curve through its ends only"),
 ]
+OTHERWISE = (
+    "each round mixes neighbours, (1 - t) * a + t * b for x and for y, until one point is left; at"
+    " t = 0 that is the first point, at t = 1 the last one"
+)
 ERRORS = {
     "ValueError": "does it take any number of points?",
     "IndexError": "each round of de Casteljau has one point less: one less step",
@@ -133,6 +186,23 @@ ERRORS = {
 }
 
 BSPLINE_SLIPS = [
+    Slip(lambda points, t: bspline(points, 0.5), "t is not used: it is always in the middle"),
+    Slip(
+        lambda points, t: _mixed(((0, 0), *points), (0, *_sixths(t))),
+        "the weights are those of a Bézier curve, divided by 6: 1 4 1 stands for 1 3 3 1 here",
+    ),
+    Slip(
+        lambda points, t: _mixed(
+            points, ((1 - t) ** 2 / 2, (-2 * t * t + 2 * t + 1) / 2, t * t / 2)
+        ),
+        "that is a quadratic B-spline, of three points",
+    ),
+    Slip(
+        lambda points, t: _mixed([bspline(points, t)], (2,)),
+        "the four weights are divided by 6: together they are 1",
+    ),
+    Slip(lambda points, t: bspline([*points[:3], (0, 0)], t), "the last point is not used"),
+    Slip(lambda points, t: bspline([(0, 0), *points[1:]], t), "the first point is not used"),
     Slip(bezier, "that is a Bézier curve: a B-spline does not go through its points"),
     Slip(_times_six, "the four weights are divided by 6: together they are 1"),
     Slip(lambda points, t: bspline(points, 1 - t), "it runs backwards"),
@@ -198,11 +268,17 @@ BSPLINE_SLIPS = [
 
 NAMES = "points", "t"
 EXERCISES = {
-    "bezier": AnswerExercise("bezier", NAMES, lambda: _cases(4, 4), bezier, point, SLIPS, ERRORS),
+    "bezier": AnswerExercise(
+        *("bezier", NAMES, lambda: _cases(4, 4), bezier, point, SLIPS, ERRORS),
+        otherwise=OTHERWISE,
+    ),
     "casteljau": AnswerExercise(
-        "casteljau", NAMES, lambda: _cases(2, 3, 4, 5, 7), bezier, point, SLIPS, ERRORS
+        *("casteljau", NAMES, lambda: _cases(2, 3, 4, 5, 7), bezier, point, SLIPS, ERRORS),
+        otherwise=OTHERWISE,
     ),
     "bspline": AnswerExercise(
-        "bspline", NAMES, lambda: _cases(4, 4), bspline, point, BSPLINE_SLIPS
+        *("bspline", NAMES, lambda: _cases(4, 4), bspline, point, BSPLINE_SLIPS),
+        otherwise="are the four weights 1 together, for every t? At t = 0 they are 1, 4, 1, 0"
+        " sixths, at t = 1 they are 0, 1, 4, 1",
     ),
 }

@@ -279,7 +279,8 @@ def of_four_points(points, color):
 @wrong("That is joined to the first")
 def beyond_the_last_point(points, color):
     for i, (x1, y1) in enumerate(points):
-        line(x1, y1, *points[i + 1], color)
+        x2, y2 = points[i + 1]
+        line(x1, y1, x2, y2, color)
 
 
 @wrong("no variables from outside")
