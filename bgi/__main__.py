@@ -248,7 +248,7 @@ def _run_watched(program: str, options: argparse.Namespace) -> int:
 
     def main() -> int:
         try:
-            return _execute(program)
+            return _execute(program, names)
         except SystemExit as end:
             return _status(end)
 
@@ -258,17 +258,18 @@ def _run_watched(program: str, options: argparse.Namespace) -> int:
     except ValueError as error:
         print(f"bgi: {error}", file=sys.stderr)
         return 2
-    with watched(session):
+    with watched(session) as names:
         return session.run(main)
 
 
-def _execute(program: str) -> int:
-    """Run a program; returns 0, if it does not end itself."""
+def _execute(program: str, names: dict[str, object] | None = None) -> int:
+    """Run a program, which finds names besides Python's; returns 0, if it does not end itself."""
     if os.path.isdir(program):
-        runpy.run_path(program, run_name="__main__")
+        runpy.run_path(program, names, run_name="__main__")
         return 0
     module = sys.modules["__main__"] = ModuleType("__main__")
     module.__file__ = os.path.abspath(program)
+    module.__dict__.update(names or {})
     with io.open_code(program) as file:
         code = compile(file.read(), module.__file__, "exec", dont_inherit=True)
     exec(code, module.__dict__)

@@ -239,6 +239,7 @@ LAYERS = [
     "bgi.turboc.port.porttests",
     "bgi.turboc.port.portvalues",
     "bgi.turboc.port.portlibrary",
+    "bgi.turboc.port.portfiles",
     "bgi.turboc.port.portwords",
     "bgi.turboc.port.portobjects",
     "bgi.turboc.port.portstreams",

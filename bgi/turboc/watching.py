@@ -6,6 +6,7 @@ trace tells of, are those that C programs call.
 
 from __future__ import annotations
 
+import io
 import re
 import sys
 import time
@@ -55,8 +56,11 @@ _LINE = 1000
 
 
 @contextmanager
-def watched(session: Session) -> Iterator[None]:
-    """In the block, programs that import `bgi` are under the script, and in the trace."""
+def watched(session: Session) -> Iterator[dict[str, Any]]:
+    """In the block, programs that import `bgi` are under the script, and in the trace.
+
+    What the block gets are names that the program finds instead of Python's own.
+    """
     before = {name: sys.modules[name] for name in (*_MODULES, "time")}
     functions = _functions(session)
     made = {name: _copy(name, module, functions) for name, module in _MODULES.items()}
@@ -67,13 +71,44 @@ def watched(session: Session) -> Iterator[None]:
         made["time"] = _copy("time", time, {"time": functions["time"], "sleep": _no_sleep})
     sys.modules.update(made)
     try:
-        yield
+        yield {"open": _open(session)}
     finally:
         sys.modules.update(before)
 
 
 def _no_sleep(seconds: float) -> None:
     """time.sleep() where a script has its own time."""
+
+
+def _open(session: Session) -> Function:
+    """open(): in the trace it is fopen(); a script's program finds an empty folder."""
+
+    def call(file: Any, mode: str = "r", *given: Any, **named: Any) -> Any:
+        found = None
+        try:
+            if session.scripted:
+                found = _from_memory(session, str(file), mode, named)
+            else:
+                found = open(file, mode, *given, **named)  # noqa: SIM115
+        finally:
+            if session.trace:
+                words = str(file).encode("cp437", "replace"), mode.encode()
+                session.trace.call("fopen", words, int(found is not None))
+        return found
+
+    return call
+
+
+def _from_memory(session: Session, name: str, mode: str, named: dict[str, Any]) -> Any:
+    """A file that is gone with the program."""
+    reads, writes = "r" in mode, "r" not in mode or "+" in mode
+    data = session.folder.open(name, reads, writes, "w" in mode)
+    if data is None:
+        raise FileNotFoundError(2, "under a script the folder is empty at first", name)
+    data.seek(0, 2 if "a" in mode else 0)
+    if "b" in mode:
+        return data
+    return io.TextIOWrapper(data, named.get("encoding"), named.get("errors"), named.get("newline"))
 
 
 def _copy(name: str, module: ModuleType, functions: dict[str, Function]) -> ModuleType:

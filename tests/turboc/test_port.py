@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from bgi.__main__ import main
+from bgi.turboc.faults import CErrors
 from bgi.turboc.port.porting import ported
 from bgi.turboc.understanding import Understood
 
@@ -54,6 +55,49 @@ def test_the_option_stands_before_the_program_or_behind_it(tmp_path, capsys):
         assert port.read_text(encoding="utf-8").startswith('"""STARS.C: stars that fly')
         port.unlink()
     assert capsys.readouterr().err == f"bgi: {port} was written\n" * 2
+
+
+def test_the_shell_is_asked_for_nothing_that_is_known_here(tmp_path):
+    source = tmp_path / "T.C"
+    source.write_text(
+        '#include <stdlib.h>\nvoid main()\n{\n  system("cls");\n  system("PAUSE");\n}\n'
+    )
+    lines = python_of(source).splitlines()
+    begin = lines.index("def main():") + 1
+    assert [line.strip() for line in lines[begin : begin + 3]] == [
+        "clrscr()",
+        'printf("Press any key to continue . . . ")',
+        "getch()",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("call", "why"),
+    [
+        ("fread(&n, 2, 1, f)", "fread(): the bytes of a variable in a file"),
+        ('fscanf(f, "%d", &n)', "fscanf(): read a line of the file, and split it"),
+        ("putw(n, f)", "putw() in a file that is opened as text"),
+    ],
+)
+def test_what_python_does_otherwise_with_files_is_told(tmp_path, call, why):
+    source = tmp_path / "T.C"
+    source.write_text(
+        '#include <stdio.h>\nvoid main()\n{\n  int n = 1;\n  FILE *f = fopen("T.TXT", "r");\n'
+        f"  {call};\n}}\n"
+    )
+    with pytest.raises(CErrors) as refused:
+        python_of(source)
+    assert str(refused.value.errors[0]).endswith(why)
+
+
+def test_a_file_that_nobody_asks_for_is_empty(tmp_path):
+    source, port = tmp_path / "T.C", tmp_path / "t.py"
+    source.write_text(
+        '#include <stdio.h>\nFILE *f;\nvoid main()\n{\n  f = fopen("A:\\\\T.DAT", "rb");\n'
+        '  printf("%d", getw(f));\n  fclose(f);\n}\n'
+    )
+    port.write_text(python_of(source))
+    assert 'print "-1"' in traced(port, tmp_path / "p", "A")
 
 
 def test_what_cannot_be_carried_over_is_told_with_its_line(tmp_path, capsys):

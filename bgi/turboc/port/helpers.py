@@ -73,6 +73,36 @@ def int16(number):
     """A number as an int of 16 bits holds it: 32,768 is -32,768."""
     return (number + 0x8000) % 0x10000 - 0x8000
 ''',
+    "open_file": '''
+def open_file(name, mode):
+    """A file of this folder; None if it cannot be opened."""
+    name = name.replace("\\\\", "/").rpartition("/")[2]
+    try:
+        return open(name, mode, encoding=None if "b" in mode else "cp437")
+    except OSError:
+        return None
+''',
+    "open_or_empty": '''
+def open_or_empty(name, mode):
+    """A file of this folder; an empty one in memory if it cannot be opened."""
+    name = name.replace("\\\\", "/").rpartition("/")[2]
+    try:
+        return open(name, mode, encoding=None if "b" in mode else "cp437")
+    except OSError:
+        return BytesIO() if "b" in mode else StringIO()
+''',
+    "next_code": '''
+def next_code(file):
+    """The code of the next character of a file; -1 at its end, as in C."""
+    letter = file.read(1)
+    return ord(letter) if letter else -1
+''',
+    "next_int": '''
+def next_int(file):
+    """The next 16 bits of a file as an int; -1 at its end, as in C."""
+    data = file.read(2)
+    return struct.unpack("<h", data)[0] if len(data) == 2 else -1
+''',
     "busy": '''
 def busy(turns):
     """Wait as long as a PC of 1990 took for an empty loop of so many turns."""
@@ -90,11 +120,16 @@ def rounded(number):
 ''',
 }
 
+_MODULES = {"float32": "struct", "next_int": "struct"}
+"""The modules that they need."""
+
+_FILES = "Files are opened in the folder that the program is started in; of a path the name counts."
 
 _NOTES = {
     "busy": "Loops that did nothing but wait are busy() here; delay() would say how long.",
     "int16": "Where int16() stands, C may have cut a number off at 32,767.",
     "float32": "Where float32() stands, C lost digits that are seen, if only some steps later.",
+    **dict.fromkeys(("open_file", "open_or_empty"), _FILES),
     "Pointer": "Pointers that walk through arrays are a class here, Pointer.",
 }
 """What a reader has to know of what changed."""
@@ -116,7 +151,7 @@ class Helpers:
     @property
     def modules(self) -> set[str]:
         """The modules that they need."""
-        return {"struct"} if "float32" in self._names else set()
+        return {module for name in self._names for module in _MODULES.get(name, "").split()}
 
     def notes(self) -> list[str]:
         """What the head of the program tells of them."""

@@ -22,7 +22,18 @@ _NUMBER = re.compile(r"[\d.][\w.]*|'(?:\\.|[^'])+'")
 _SUMS = re.compile(r"(?:[A-Za-z_]\w*|\d+|[-+*()])+")
 _MATH = {"M_PI": "pi", "M_E": "e"}
 
-_OURS = {"sys", "copy", "deepcopy", "fmod", "time", "sprintf", "pow", "sleep"}
+_OURS = {
+    "BytesIO",
+    "StringIO",
+    "sys",
+    "copy",
+    "deepcopy",
+    "fmod",
+    "time",
+    "sprintf",
+    "pow",
+    "sleep",
+}
 """Names that a port may need where the program does not name them."""
 
 MOST_NAMES = 12

@@ -318,7 +318,7 @@ class PortPlaces:
             return code
         if wanted == BYTES and shape == TEXT:
             return Code(f'bytearray({code}.encode("cp437") + b"\\0")')
-        raise self.refuse(place, f"a {shape} used as a {wanted}")
+        raise self.refuse(place, f"{_one(shape)} used as {_one(wanted)}")
 
     def string(self, value: Value) -> Code:
         """A string to read."""
@@ -375,6 +375,11 @@ class PortPlaces:
             assert isinstance(pointed, (PointerType, ReferenceType))
             return self.allocated(inner, wanted, pointed.to)
         return self.pointer(value, wanted)
+
+
+def _one(shape: str) -> str:
+    """A shape with its article."""
+    return f"an {shape}" if shape[0] in "aeiou" else f"a {shape}"
 
 
 def is_plain(value: Value) -> bool:

@@ -5,10 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import bgi
-from bgi.turboc.checker.typed import Address, Constant, Converted, LibraryCall, Value, Variable
+from bgi.turboc.checker.typed import (
+    Address,
+    Constant,
+    Converted,
+    LibraryCall,
+    Quoted,
+    Value,
+    Variable,
+)
 from bgi.turboc.checker.types import StructType
-from bgi.turboc.port.portlibrary import MODULES, PortLibrary
-from bgi.turboc.port.pycode import Code, binary, call
+from bgi.turboc.port.portfiles import PortFiles
+from bgi.turboc.port.portlibrary import MODULES
+from bgi.turboc.port.pycode import Code, binary, call, quoted
 
 _SETTINGS = """
     getviewsettings getlinesettings getfillsettings gettextsettings getarccoords getpalette
@@ -16,13 +25,13 @@ _SETTINGS = """
 """
 
 
-class PortWords(PortLibrary):
+class PortWords(PortFiles):
     """Writes them."""
 
     def special(self, value: LibraryCall) -> Code | None:
         """A call in other words; None if there are none."""
         write = _SPECIAL.get(value.name)
-        return write(self, value) if write is not None else None
+        return write(self, value) if write is not None else self.file_call(value)
 
 
 _Writer = Callable[[PortWords, LibraryCall], Code]
@@ -137,6 +146,16 @@ def _letter(text: str) -> _Writer:
 
 
 def _system(writer: PortWords, value: LibraryCall) -> Code:
+    """What a program asked the shell for that has a function of its own."""
+    command = value.arguments[0]
+    text = command.operand if isinstance(command, Address) else None
+    word = text.data.strip().lower() if isinstance(text, Quoted) else b""
+    if word == b"cls":
+        return call(writer.names.use("bgi.conio", "clrscr"), [])
+    if word == b"pause":
+        message = quoted("Press any key to continue . . . ")
+        writer.line(call(writer.names.use("bgi.stdio", "printf"), [message]))
+        return call(writer.names.use("bgi", "getch"), [])
     raise writer.refuse(value.place, "system(): it would start another program")
 
 

@@ -13,7 +13,7 @@ void main()
         switch (rand() % 3) {
         case 0:
             x = x - 1;
-            if (x < -8)
+            if (x < 0)
                 goto hit;
             break;
         case 1:
@@ -23,7 +23,7 @@ void main()
         if (x % 5)
             lives++;
 hit:
-        if (x < -8)
+        if (x < 0)
             printf("hit %d\n", --lives);
     }
     printf("%d lives\n", lives);

@@ -17,7 +17,7 @@ def main():
             choice = rand() % 3
             if choice == 0:
                 x -= 1
-                if x < -8:
+                if x < 0:
                     break
             elif choice == 1:
                 x += random(5) % 4
@@ -25,7 +25,7 @@ def main():
             if x % 5:
                 lives += 1
             break
-        if x < -8:
+        if x < 0:
             lives -= 1
             printf("hit %d\n", lives)
     printf("%d lives\n", lives)
