@@ -17,7 +17,8 @@ def main(arguments: list[str] | None = None) -> int:
     folder: Path = options.folder
     if not folder.is_dir():
         return _fail(f"{folder} is no folder")
-    if not programs(folder):
+    number = len(programs(folder))
+    if not number:
         return _fail(f"{folder} holds no programs: files that end in .py")
     try:
         tasks = _tasks(options)
@@ -25,14 +26,15 @@ def main(arguments: list[str] | None = None) -> int:
         return _fail(str(error))
     graded = []
     for one in grade(folder, tasks, Limits(options.seconds, options.megabytes)):
-        print(f"{one.name}: {one.points:g} of {one.of:g}", flush=True)
         graded.append(one)
+        print(f"{len(graded)}/{number} {one.name}: {one.points:g} of {one.of:g}", flush=True)
     try:
         write_csv(options.output, graded)
         pictured = options.page or options.output.with_suffix(".html")
         pictured.write_text(page(graded), "utf-8")
     except OSError as error:
         return _fail(f"{error.filename} was not written: {error.strerror}")
+    print(f"{options.output}: the marks; {pictured}: with reasons and pictures")
     return 0
 
 

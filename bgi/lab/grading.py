@@ -100,8 +100,8 @@ def _marks(program: Path, folder: Path, tasks: list[Task], limits: Limits) -> li
         lines, end = _run(program, program.parent != folder, waiting, limits)
         found = _read(lines, waiting, end)
         marks |= found
-        waiting = [task for task in waiting if task.function + task.exercise not in found]
-    return [marks[task.function + task.exercise] for task in tasks]
+        waiting = [task for task in waiting if task.title not in found]
+    return [marks[task.title] for task in tasks]
 
 
 def _read(lines: list[dict[str, Any]], tasks: list[Task], end: str) -> dict[str, TaskMark]:
@@ -111,20 +111,18 @@ def _read(lines: list[dict[str, Any]], tasks: list[Task], end: str) -> dict[str,
     done = [line for line in lines if "right" in line or "absent" in line]
     for task, line in zip(tasks, done, strict=False):
         if "absent" in line:
-            why = (
-                f": the program came to its end before: {line['absent']}" if line["absent"] else ""
-            )
+            why = f", as far as the program runs: {line['absent']}" if line["absent"] else ""
             mark = TaskMark(task, False, f"there is no function {task.function}{why}")
         else:
             fields = ("right", "reason", "hint", "passed", "tried", "picture")
             mark = TaskMark(task, **{name: line[name] for name in fields})
-        found[task.function + task.exercise] = mark
+        found[task.title] = mark
     if loaded and len(done) < len(tasks):
         culprit = tasks[len(done)]
-        found[culprit.function + culprit.exercise] = TaskMark(culprit, False, end)
+        found[culprit.title] = TaskMark(culprit, False, end)
     elif not loaded:
         reason = f"the program cannot be loaded: {end}"
-        found = {task.function + task.exercise: TaskMark(task, False, reason) for task in tasks}
+        found = {task.title: TaskMark(task, False, reason) for task in tasks}
     return found
 
 

@@ -22,7 +22,7 @@ def write_csv(file: Path, graded: list[Graded]) -> None:
 
     UTF-8 with a mark at its beginning, by which spreadsheets know it.
     """
-    names = [mark.task.exercise for mark in graded[0].marks] if graded else []
+    names = [mark.task.title for mark in graded[0].marks] if graded else []
     with open(file, "w", encoding="utf-8-sig", newline="") as opened:
         writer = csv.writer(opened)
         writer.writerow(["program", *names, "points", "of", "reasons"])
@@ -39,16 +39,19 @@ def _plain(text: str) -> str:
 
 
 def _reason(mark: TaskMark) -> str:
-    cases = f" ({mark.passed} of {mark.tried} cases right)" if mark.tried > 1 else ""
-    hint = f" - {mark.hint}" if mark.hint else ""
-    return f"{mark.task.exercise}: {mark.reason}{cases}{hint}"
+    hint = f"; hint: {mark.hint}" if mark.hint else ""
+    return f"{mark.task.title}: {mark.reason}{_cases(mark)}{hint}"
+
+
+def _cases(mark: TaskMark) -> str:
+    return f" ({mark.passed} of {mark.tried} cases right)" if mark.tried > 1 else ""
 
 
 def page(graded: list[Graded]) -> str:
     """A page of HTML that needs no other file: a table, then each program with its pictures."""
-    names = [mark.task.exercise for mark in graded[0].marks] if graded else []
+    names = [f"{mark.task.title} ({mark.task.points:g})" for mark in graded[0].marks]
     head = "".join(f"<th>{html.escape(name)}</th>" for name in ["program", *names, "points"])
-    rows = "".join(_row(number, one) for number, one in enumerate(graded))
+    rows = "".join(_row(number, one) for number, one in enumerate(graded)) + _counts(graded)
     programs = "".join(_program(number, one) for number, one in enumerate(graded))
     return (
         f"<!doctype html><meta charset='utf-8'><title>Marks</title><style>{STYLE}</style>"
@@ -65,6 +68,13 @@ def _row(number: int, one: Graded) -> str:
     return f"<tr>{name}{cells}<td>{one.points:g} of {one.of:g}</td></tr>"
 
 
+def _counts(graded: list[Graded]) -> str:
+    """How many have each function right: what the class has not understood yet."""
+    columns = zip(*(one.marks for one in graded), strict=True)
+    cells = "".join(f"<td>{sum(mark.right for mark in marks)}</td>" for marks in columns)
+    return f"<tr><td>right, of {len(graded)}</td>{cells}<td></td></tr>"
+
+
 def _program(number: int, one: Graded) -> str:
     marks = "".join(map(_mark, one.marks))
     title = f"{html.escape(one.name)}: {one.points:g} of {one.of:g}"
@@ -72,12 +82,12 @@ def _program(number: int, one: Graded) -> str:
 
 
 def _mark(mark: TaskMark) -> str:
-    name = html.escape(f"{mark.task.exercise} ({mark.task.function})")
+    name = html.escape(f"{mark.task.title} ({mark.task.function})")
     if mark.right:
         return f"<p class='right'>{name}: right, {mark.tried} cases</p>"
-    text = f"<p class='wrong'>{name}: {html.escape(mark.reason)}</p>"
+    text = f"<p class='wrong'>{name}: {html.escape(mark.reason)}{_cases(mark)}</p>"
     if mark.hint:
-        text += f"<p>{html.escape(mark.hint)}</p>"
+        text += f"<p>hint: {html.escape(mark.hint)}</p>"
     if mark.picture:
         source = f"data:image/png;base64,{html.escape(mark.picture, quote=True)}"
         text += f"<p><img alt='yours, expected, difference' src='{source}'></p>"

@@ -242,7 +242,9 @@ def _place(file: str, line: int) -> str:
 
 
 def _is_ours(frame: FrameType) -> bool:
-    name = str(frame.f_globals.get("__name__", ""))
+    """Whether it is our own code, be it imported or run by `python -m`."""
+    known = frame.f_globals
+    name = str(getattr(known.get("__spec__"), "name", "") or known.get("__name__", ""))
     return name.startswith("bgi.") and not name.startswith("bgi.demos")
 
 

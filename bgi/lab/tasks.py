@@ -31,6 +31,13 @@ class Task:
     points: float = 1
     options: dict[str, bool] = field(default_factory=dict)
     """Of the check: `exactly`, `deep`."""
+    name: str = ""
+    """How it is called in the marks; empty: as the check."""
+
+    @property
+    def title(self) -> str:
+        """What stands above its column, and tells it from all others."""
+        return self.name or self.exercise
 
 
 USUAL = [Task(name, f"my_{name}") for name in CHECKS]
@@ -42,7 +49,7 @@ def parse(word: str) -> Task:
     exercise, equals, function = word.partition("=")
     if not equals or not function.isidentifier():
         raise ValueError(f"{word!r}: write it as in line=my_line")
-    return _known(Task(exercise, function), word)
+    return _known(Task(exercise, function, name=word), word)
 
 
 def read(file: Path) -> list[Task]:
@@ -54,6 +61,8 @@ def read(file: Path) -> list[Task]:
         function = "my_line"
         points = 5
         exactly = true
+
+    Its name is that of the check, unless `check` says another one.
     """
     try:
         tables = tomllib.loads(file.read_text("utf-8"))
@@ -69,12 +78,12 @@ def _task(name: str, table: Any, where: str) -> Task:
         raise ValueError(f"{where}: write a table, [line], and below it function = 'my_line'")
     options = dict(table)
     exercise = options.pop("check", name)
-    function, points = options.pop("function", f"my_{name}"), options.pop("points", 1)
+    function, points = options.pop("function", f"my_{exercise}"), options.pop("points", 1)
     if type(points) not in (int, float) or not 0 <= points < 1e6:
         raise ValueError(f"{where}: points must be a number from 0 on, not {points!r}")
     if not isinstance(function, str) or not function.isidentifier():
         raise ValueError(f"{where}: function must be a name, not {function!r}")
-    return _known(Task(exercise, function, points, options), where)
+    return _known(Task(exercise, function, points, options, name), where)
 
 
 def _known(task: Task, where: str) -> Task:

@@ -163,7 +163,9 @@ class TestCommand:
     def test_writes_marks_and_a_page(self, folder, tmp_path, capsys):
         marks, page = tmp_path / "marks.csv", tmp_path / "marks.html"
         assert main(["grade", str(folder), "-o", str(marks)]) == 0
-        assert capsys.readouterr().out == "anna.py: 1 of 1\nben/main.py: 0 of 1\n"
+        first, second, last = capsys.readouterr().out.splitlines()
+        assert (first, second) == ("1/2 anna.py: 1 of 1", "2/2 ben/main.py: 0 of 1")
+        assert last == f"{marks}: the marks; {page}: with reasons and pictures"
         with open(marks, encoding="utf-8-sig", newline="") as file:
             head, anna, ben = csv.reader(file)
         assert head == ["program", "line", "points", "of", "reasons"]
@@ -180,6 +182,29 @@ class TestCommand:
         marks = tmp_path / "marks.csv"
         assert main(["grade", str(folder), "-o", str(marks)]) == 0
         assert "anna.py,0,0,2.5," in marks.read_text("utf-8-sig")
+
+    def test_asks_for_one_function_in_two_ways(self, folder, tmp_path):
+        description = (
+            '[any]\ncheck = "line"\npoints = 2\n[exact]\ncheck = "line"\nexactly = true\n'
+            '[other]\ncheck = "line"\nfunction = "other_line"\n'
+        )
+        (folder / tasks.DESCRIPTION).write_text(description, "utf-8")
+        marks, page = tmp_path / "marks.csv", tmp_path / "marks.html"
+        assert main(["grade", str(folder), "-o", str(marks)]) == 0
+        with open(marks, encoding="utf-8-sig", newline="") as file:
+            head, anna, _ = csv.reader(file)
+        assert head == ["program", "any", "exact", "other", "points", "of", "reasons"]
+        assert anna[:6] == ["anna.py", "2", "0", "0", "2", "4"]
+        assert "exact: my_line(" in anna[6] and "other: there is no function other_line" in anna[6]
+        assert "<th>any (2)</th>" in page.read_text("utf-8")
+
+    def test_says_where_a_program_is_no_python(self, folder, tmp_path):
+        (folder / "anna.py").write_text("def my_line(:", "utf-8")
+        marks = tmp_path / "marks.csv"
+        assert main(["grade", str(folder), "--check", "line=my_line", "-o", str(marks)]) == 0
+        text = marks.read_text("utf-8-sig")
+        assert "as far as the program runs: SyntaxError: invalid syntax (anna.py, line 1)" in text
+        assert "submission" not in text
 
     @pytest.mark.parametrize(
         ("arguments", "told"),
