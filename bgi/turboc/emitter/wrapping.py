@@ -34,7 +34,7 @@ WIDEST = 1 << 62
 """Beyond it nothing is known."""
 
 _ANSWERS = {
-    **dict.fromkeys(("getmaxx", "getmaxy"), (0, 4095)),
+    **dict.fromkeys(("getmaxx", "getmaxy", "getmaxwidth", "getmaxheight"), (0, 4095)),
     **{"kbhit": (0, 1), "rand": (0, 0x7FFF)},
     **dict.fromkeys(("getpixel", "getcolor", "getbkcolor", "getmaxcolor"), (0, 255)),
 }

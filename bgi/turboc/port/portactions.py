@@ -31,10 +31,11 @@ from bgi.turboc.checker.types import (
     StructType,
     Symbol,
     innermost,
+    is_number,
 )
 from bgi.turboc.faults import Place
 from bgi.turboc.port import walking
-from bgi.turboc.port.facts import READ
+from bgi.turboc.port.facts import READ, SET
 from bgi.turboc.port.pointershapes import TEXT
 from bgi.turboc.port.portloops import PortLoops
 from bgi.turboc.port.portplaces import REGISTERS
@@ -88,7 +89,7 @@ class PortActions(PortLoops):
 
     def _define(self, act: Define) -> None:
         symbol = act.symbol
-        if act.value is None and not self.has_to_begin(symbol):
+        if self._is_replaced(act) if act.value else not self.has_to_begin(symbol):
             self.place = None
             return
         self.statement, self.after = act.value, []
@@ -100,6 +101,19 @@ class PortActions(PortLoops):
         for line in self.after:
             self.line(line)
         self.after = None
+
+    def _is_replaced(self, act: Define) -> bool:
+        """Whether a number is stored first in a variable that nobody reads before the next one."""
+        symbol = act.symbol
+        local = symbol.kind == "local" and symbol not in self.cells and not self.routine.jumps
+        if not (local and isinstance(act.value, Constant) and is_number(symbol.type)):
+            return False
+
+        def is_it(one: Value) -> bool:
+            own = isinstance(one, Variable) and one.symbol is symbol
+            return own and one.place != act.place
+
+        return self.facts.first(walking.of_routine(self.routine), is_it) == SET
 
     def first(self, act: Define) -> Code:
         """What a variable holds at first."""

@@ -5,7 +5,7 @@
 
 void main()
 {
-    int turn, lives = 3, x = -8;
+    int turn = 0, lives = 3, x = -8;
 
     for (turn = 0; turn < 12; turn++) {
         if (x % 2 == 0)
