@@ -90,6 +90,19 @@ def test_what_python_does_otherwise_with_files_is_told(tmp_path, call, why):
     assert str(refused.value.errors[0]).endswith(why)
 
 
+def test_streams_of_files_are_told_by_their_name(tmp_path):
+    source = tmp_path / "T.CPP"
+    source.write_text(
+        "#include <fstream.h>\nvoid main()\n{\n  int n;\n"
+        '  ofstream f("T.DAT");\n  f.write((char *)&n, 2);\n  f << n;\n}\n'
+    )
+    with pytest.raises(CErrors) as refused:
+        python_of(source)
+    assert [str(one).partition("Python: ")[2] for one in refused.value.errors] == [
+        "f.write() of an ofstream: only cout and cin are known"
+    ]
+
+
 def test_a_file_that_nobody_asks_for_is_empty(tmp_path):
     source, port = tmp_path / "T.C", tmp_path / "t.py"
     source.write_text(

@@ -23,6 +23,7 @@ from bgi.turboc.checker.types import (
     FloatType,
     IntType,
     PointerType,
+    StructType,
     Type,
     is_text,
 )
@@ -65,7 +66,7 @@ class PortStreams(PortObjects):
         elif name == "cin" and len(chain) == 1:
             return self._keyboard(value)
         else:
-            raise self.refuse(value.place, f"{name or 'this stream'}: only << and >> are known")
+            raise self.refuse(value.place, _why(value, base, name))
         return Code("")
 
     # Writing
@@ -153,6 +154,15 @@ class PortStreams(PortObjects):
             line = Code(f"{self.names.use('bgi.stdio', 'gets')}()")
             return self.fill(value.arguments[0], line)
         raise self.refuse(value.place, f"cin.{value.method.name}()")
+
+
+def _why(value: MethodCall, base: Value, name: str) -> str:
+    """Why a call of a method of a stream cannot be carried over."""
+    method = value.method.name
+    called = name or "a stream" if method.startswith("operator") else f"{name}.{method}()"
+    if name in _OUTPUTS or name == "cin" or not isinstance(base.type, StructType):
+        return called
+    return f"{called} of an {base.type.tag}: only cout and cin are known"
 
 
 def _chain(value: MethodCall) -> list[MethodCall]:
