@@ -1,5 +1,7 @@
 """Drawing that can be watched: the same picture at the end, and pixels in the algorithm's order."""
 
+import contextlib
+import inspect
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -13,6 +15,8 @@ from hypothesis import strategies as st
 
 import bgi
 from bgi import current
+from bgi.graphics import Graphics
+from bgi.graphics.slow import ORDERS
 from bgi.monitor.headless import Headless
 
 Place = tuple[int, int]
@@ -114,17 +118,17 @@ coordinates = st.integers(-30, 90)
 colors = st.integers(0, 15)
 
 
-@st.composite
-def calls(draw: Any) -> tuple[str, tuple[Any, ...]]:
-    """A call that draws, with numbers or with arrays."""
+def forms() -> dict[str, list[Any]]:
+    """What the arguments of each call that draws may be."""
     c = coordinates
-    forms: dict[str, list[Any]] = {
+    return {
         **{"putpixel": [c, c, colors], "line": [c, c, c, c], "rectangle": [c, c, c, c]},
         **{"lineto": [c, c], "linerel": [c, c], "bar": [c, c, c, c], "circle": [c, c, c]},
         "bar3d": [c, c, c, c, st.integers(0, 9), st.integers(0, 1)],
         **{"arc": [c, c, c, c, c], "ellipse": [c, c, c, c, c, c], "sector": [c] * 6},
         **{"pieslice": [c] * 5, "fillellipse": [c] * 4, "floodfill": [c, c, colors]},
-        **{"outtextxy": [c, c, st.text(max_size=3)], "cleardevice": [], "clearviewport": []},
+        **{"outtextxy": [c, c, st.text(max_size=3)], "outtext": [st.text(max_size=3)]},
+        **{"cleardevice": [], "clearviewport": [], "readimagefile": [st.just(FILE), c, c, c, c]},
         **{name: [st.lists(st.tuples(c, c), min_size=1, max_size=5)] for name in POLYGONS},
         "putimage": [
             c,
@@ -133,27 +137,68 @@ def calls(draw: Any) -> tuple[str, tuple[Any, ...]]:
             st.integers(0, 4),
         ],
     }
-    name = draw(st.sampled_from(sorted(forms)))
-    given_ = [draw(one) for one in forms[name]]
+
+
+@st.composite
+def calls(draw: Any, name: str = "") -> tuple[str, tuple[Any, ...]]:
+    """A call that draws, this one or any, with numbers or with arrays."""
+    c, known = coordinates, forms()
+    name = name or draw(st.sampled_from(sorted(known)))
+    given_ = [draw(one) for one in known[name]]
     if name in ARRAYS and draw(st.booleans()):
         given_[0] = np.array([given_[0], draw(c)])
     return name, tuple(given_)
 
 
 IMAGE = bgi.Image(np.arange(30, dtype="u1").reshape(5, 6) % 16)
+FILE = Path(__file__).parents[2] / "demos" / "course" / "expected" / "01_frame.png"
 POLYGONS = ("drawpoly", "fillpoly")
 ARRAYS = ("putpixel", "line", "bar", "circle", "floodfill", "ellipse", "fillellipse")
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+def test_every_call_that_draws_is_tried() -> None:
+    assert forms().keys() == ORDERS.keys()
+
+
+NOT_DRAWN = {"initgraph", "setgraphmode", "swapbuffers", "restorecrtmode", "closegraph"}
+"""What shows another page, or an empty one."""
+OTHERS = sorted(
+    name
+    for name, _ in inspect.getmembers(Graphics, inspect.isfunction)
+    if not name.startswith("_") and name not in ORDERS.keys() | NOT_DRAWN
+)
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_no_other_call_draws(name: str) -> None:
+    """So slow() has forgotten none: whatever numbers the others are given, no pixel changes."""
+    bgi.setfillstyle(bgi.XHATCH_FILL, 5)
+    bgi.bar(0, 0, 99, 99)
+    page = current.reachable().page
+    before = page.array.copy()
+    needed = inspect.signature(getattr(bgi, name, lambda: None)).parameters.values()
+    given_ = [20 for one in needed if one.default is one.empty and one.kind is not one.VAR_KEYWORD]
+    with contextlib.suppress(bgi.BGIError, TypeError, ValueError, OSError):
+        getattr(bgi, name, lambda: None)(*given_)
+    assert np.array_equal(page.array, before)
+
+
+@pytest.mark.parametrize("name", sorted(forms()))
+@settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck))
 @given(
-    st.lists(calls(), min_size=1, max_size=4),
+    st.data(),
+    st.lists(calls(), max_size=3),
     st.tuples(st.integers(0, 4), st.sampled_from([1, 3]), st.integers(0, 1), st.integers(0, 12)),
     st.sampled_from([(bgi.VGA, bgi.VGAHI), (bgi.CGA, bgi.CGAC0), (bgi.CGA, bgi.CGAHI)]),
 )
 def test_the_picture_is_the_same(
-    drawn: list[tuple[str, tuple[Any, ...]]], style: tuple[int, int, int, int], mode: Place
+    name: str,
+    data: Any,
+    others: list[tuple[str, tuple[Any, ...]]],
+    style: tuple[int, int, int, int],
+    mode: Place,
 ) -> None:
+    drawn = [*others, data.draw(calls(name))]
     pictures = []
     for rate in (0, 10**7):
         bgi.initgraph(*mode)
@@ -162,8 +207,8 @@ def test_the_picture_is_the_same(
         bgi.setwritemode(style[2])
         bgi.setfillstyle(style[3] % 12, 3)
         with bgi.slow(rate):
-            for name, given_ in drawn:
-                getattr(bgi, name)(*given_)
+            for called, given_ in drawn:
+                getattr(bgi, called)(*given_)
         page = current.reachable().page
         pictures.append((page.array.copy(), bgi.getx(), bgi.gety()))
     assert np.array_equal(pictures[0][0], pictures[1][0])
