@@ -30,6 +30,8 @@ PANEL = 288
 """Pixels across a panel, and down."""
 LARGEST, SMALLEST = 16, 2
 """How many times a pixel is enlarged."""
+ROOM = 10
+"""Pixels around differences in a picture that is too large to be shown."""
 GRID = 5
 """From there on there are grid lines."""
 EDGE, HEAD, FOOT = 12, 20, 36
@@ -75,20 +77,26 @@ def side_by_side(got: Pixels, expected: Pixels, ground: Pixels) -> Image:
 
 
 def _part(got: Pixels, expected: Pixels, ground: Pixels) -> Box:
-    """What is shown: all that was drawn or expected, or as much of it around a difference."""
+    """What is shown: all that was drawn or expected, or as much of it around the differences."""
     down, across = np.nonzero((got != ground) | (expected != ground))
-    most = PANEL // SMALLEST
-    wrong_y, wrong_x = np.argwhere(got != expected)[0].tolist()
-    left, right = _side(across, wrong_x, most, got.shape[1])
-    top, bottom = _side(down, wrong_y, most, got.shape[0])
+    wrong_down, wrong_across = np.nonzero(got != expected)
+    left, right = _side(across, wrong_across, got.shape[1])
+    top, bottom = _side(down, wrong_down, got.shape[0])
     return left, top, right, bottom
 
 
-def _side(places: Any, wrong: int, most: int, size: int) -> tuple[int, int]:
-    """Where a side of the part begins, and where it ends (excluded): a pixel of room around."""
+def _side(places: Any, wrong: Any, size: int) -> tuple[int, int]:
+    """Where a side of the part begins, and where it ends (excluded): a pixel of room around.
+
+    A side that is too long is cut: to the differences, if they lie together, and else to the first.
+    """
     first, last = max(int(places.min()) - 1, 0), min(int(places.max()) + 2, size)
+    most = PANEL // SMALLEST
     if last - first > most:
-        first = min(max(wrong - most // 2, first), last - most)
+        spread = int(wrong.max() - wrong.min()) + 1
+        middle = int(wrong.min()) + spread // 2 if spread + 2 * ROOM <= most else int(wrong[0])
+        most = min(spread + 2 * ROOM, most)
+        first = min(max(middle - most // 2, first), last - most)
         last = first + most
     return first, last
 

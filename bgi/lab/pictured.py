@@ -22,6 +22,8 @@ Colors = NDArray[np.uint8]
 
 FARTHEST = 12
 """Pixels by which a picture may be shifted to be called that."""
+FEW = 100
+"""So many wrong pixels are few."""
 _PALETTE = np.array(SIXTEEN, np.uint8)
 
 
@@ -41,9 +43,8 @@ def compare(file: str | os.PathLike[str]) -> Verdict:
     y, x = np.argwhere(wrong)[0].tolist()
     reason = f"{int(wrong.sum()):,} of {wrong.size:,} pixels are not as in {name}: first {x}, {y}"
     hint = next((words for seems, words in SIGNS if seems(got, expected)), "")
-    return Verdict(
-        "picture", False, 1, 0, reason, hint or _shifted(got, expected), _image(got, expected)
-    )
+    hint = _shifted(got, expected) or hint
+    return Verdict("picture", False, 1, 0, reason, hint, _image(got, expected))
 
 
 def _image(got: Colors, expected: Colors) -> Image | None:
@@ -58,8 +59,10 @@ def _indices(picture: Colors) -> Colors:
 
 
 def _forms(picture: Colors) -> NDArray[np.bool_]:
-    """Where something is drawn: what is not the colour of the first pixel."""
-    forms: NDArray[np.bool_] = (picture != picture[0, 0]).any(axis=2)
+    """Where something is drawn: what is not of the colour that most pixels have."""
+    numbers = picture.astype(np.int64) @ (1 << 16, 1 << 8, 1)
+    values, counts = np.unique(numbers, return_counts=True)
+    forms: NDArray[np.bool_] = numbers != values[counts.argmax()]
     return forms
 
 
@@ -78,6 +81,32 @@ def _more(got: Colors, expected: Colors) -> bool:
     return bool((got[wanted] == expected[wanted]).all())
 
 
+def _ground(got: Colors, expected: Colors) -> bool:
+    """Only what is drawn is right, and the background has another colour."""
+    forms = _forms(expected)
+    return np.array_equal(_forms(got), forms) and bool((got[forms] == expected[forms]).all())
+
+
+def _transposed(got: Colors, expected: Colors) -> bool:
+    """x and y are exchanged, as far as both are on the screen."""
+    side = min(got.shape[:2])
+    ours, theirs = _forms(got)[:side, :side], _forms(expected)[:side, :side]
+    return int((ours ^ theirs.T).sum()) <= int(theirs.sum()) // 20
+
+
+def _outlined(got: Colors, expected: Colors) -> bool:
+    """Of each form only the rim is there."""
+    ours, theirs = _forms(got), _forms(expected)
+    inner = theirs.copy()
+    inner[1:-1, 1:-1] &= theirs[:-2, 1:-1] & theirs[2:, 1:-1] & theirs[1:-1, :-2] & theirs[1:-1, 2:]
+    rims_only = not (ours & ~theirs).any() and not (theirs & ~inner & ~ours).any()
+    return rims_only and 10 * int((ours & inner).sum()) < int(inner.sum())
+
+
+def _few(got: Colors, expected: Colors) -> bool:
+    return int((got != expected).any(axis=2).sum()) <= FEW
+
+
 def _turned(change: Callable[[Colors], Colors]) -> Callable[[Colors, Colors], bool]:
     return lambda got, expected: np.array_equal(change(got), expected)
 
@@ -86,9 +115,13 @@ SIGNS: list[tuple[Callable[[Colors, Colors], bool], str]] = [
     (lambda got, expected: not _forms(got).any(), "nothing is drawn yet"),
     (_turned(lambda picture: picture[::-1]), "it is upside down: y grows downwards"),
     (_turned(lambda picture: picture[:, ::-1]), "left and right are exchanged"),
+    (_transposed, "x and y are exchanged: x goes to the right and stands first, y goes down"),
+    (_ground, "the background has another colour, all else is right"),
     (_recolored, "the forms are right, colours are not"),
+    (_outlined, "only the rims are there: areas are filled"),
     (_lacking, "what is there is right: something is missing"),
     (_more, "all that is wanted is there, and something more"),
+    (_few, "only a few pixels are wrong: where does a loop begin, and where does it end?"),
 ]
 
 
