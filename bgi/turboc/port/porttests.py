@@ -13,8 +13,9 @@ from bgi.turboc.checker.typed import (
     Inverse,
     LibraryCall,
     Value,
+    Variable,
 )
-from bgi.turboc.checker.types import CHAR, UCHAR, ArrayType, FloatType, PointerType
+from bgi.turboc.checker.types import CHAR, UCHAR, ArrayType, FloatType, PointerType, is_number
 from bgi.turboc.emitter.effects import has_effects
 from bgi.turboc.port.pointershapes import BYTES, CURSOR, TEXT
 from bgi.turboc.port.portplaces import PortPlaces
@@ -178,9 +179,9 @@ class PortTests(PortPlaces):
 
     def connective(self, value: Connective) -> Code:
         """`and` or `or`; what has to be done before the right side is done only if it counts."""
-        between = self._between(value) if value.op == "&&" else None
-        if between is not None:
-            return between
+        shorter = self._between(value) if value.op == "&&" else self._among(value)
+        if shorter is not None:
+            return shorter
         left = self.test(value.left)
         word = "and" if value.op == "&&" else "or"
         before, self.walrus = self.walrus, True
@@ -195,6 +196,24 @@ class PortTests(PortPlaces):
             self.lines += [(indent + 1, text, place) for indent, text, place in lines]
             self.line(f"{name} = {right}")
         return Code(name)
+
+    def _among(self, value: Connective) -> Code | None:
+        """`c == 1 || c == 3` as `c in (1, 3)`."""
+        parts: list[Value] = [value]
+        while isinstance(parts[0], Connective) and parts[0].op == "||":
+            parts[:1] = [parts[0].left, parts[0].right]
+        names, numbers = set(), []
+        for one in parts:
+            if not (isinstance(one, Comparison) and one.op == "==" and is_number(one.left.type)):
+                return None
+            letter = one.left.operand if isinstance(one.left, Converted) else one.left
+            if not isinstance(letter, Variable) or not isinstance(one.right, Constant):
+                return None
+            names.add(str(self.value(one.left)))
+            numbers.append(str(self.value(one.right)))
+        if len(names) != 1:
+            return None
+        return Code(f"{names.pop()} in ({', '.join(numbers)})", COMPARE)
 
     def _between(self, value: Connective) -> Code | None:
         """`x >= 1 && x <= 9` as `1 <= x <= 9`."""

@@ -20,11 +20,13 @@ void main()
             x += random(5) % 4;
         }
         printf("%d ", x % 4);
-        if (x % 5)
+        if (x % 5 || turn == 3 || turn == 5)
             lives++;
 hit:
         if (x < 0)
             printf("hit %d\n", --lives);
+        if (turn == 3 || turn == 5 || turn == 7)
+            lives += 2;
     }
     printf("%d lives\n", lives);
 }

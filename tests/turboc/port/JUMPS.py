@@ -22,12 +22,14 @@ def main():
             elif choice == 1:
                 x += random(5) % 4
             printf("%d ", int(fmod(x, 4)))
-            if x % 5:
+            if x % 5 or turn == 3 or turn == 5:
                 lives += 1
             break
         if x < 0:
             lives -= 1
             printf("hit %d\n", lives)
+        if turn in (3, 5, 7):
+            lives += 2
     printf("%d lives\n", lives)
 
 
