@@ -18,9 +18,9 @@ import numpy as np
 
 from bgi.graphics import Graphics
 from bgi.lab.comparison import Pixels
-from bgi.lab.drawn import DrawingExercise, Fault, Place, Trial, by_bgi
+from bgi.lab.drawn import DrawingExercise, Fault, Place, Sign, Trial, by_bgi
 from bgi.lab.ovalsigns import CIRCLE_SIGNS, ELLIPSE_SIGNS, NO_CIRCLE, NO_ELLIPSE
-from bgi.lab.signs import INSTEAD
+from bgi.lab.signs import INSTEAD, only
 
 MIRRORS = (1, 1), (-1, 1), (1, -1), (-1, -1)
 
@@ -135,6 +135,20 @@ def _ellipse(screen: Graphics, center: Place, radii: Place, color: int) -> None:
     screen.ellipse(*center, 0, 360, *radii, color)
 
 
+def _keeps_the_rule(fault: Fault) -> bool:
+    """It is a right one, where exactly that of bgi is wanted."""
+    x, y, *radii, color = fault.arguments
+    expected = _right((x, y), (radii[0], radii[-1]), color)
+    return np.array_equal(fault.got, expected(fault.got))
+
+
+NOT_BGIS: Sign = (
+    only(_keeps_the_rule),
+    "it is right, but not bgi's: look at the pixels that differ. Two are nearly as near there, or"
+    " it is a very small one",
+)
+
+
 def _trouble(fault: Fault) -> str:
     """The hint for an error, or a loop without an end."""
     assert fault.outcome.trouble is not None
@@ -156,7 +170,13 @@ def circle(exactly: bool) -> DrawingExercise:
     names = "x", "y", "radius", "color"
     trials = partial(_circles, exactly)
     return DrawingExercise(
-        "circle", names, trials, CIRCLE_SIGNS, _trouble, instead=INSTEAD, otherwise=NO_CIRCLE
+        "circle",
+        names,
+        trials,
+        [NOT_BGIS, *CIRCLE_SIGNS],
+        _trouble,
+        instead=INSTEAD,
+        otherwise=NO_CIRCLE,
     )
 
 
@@ -165,5 +185,11 @@ def ellipse(exactly: bool) -> DrawingExercise:
     names = "x", "y", "xradius", "yradius", "color"
     trials = partial(_ellipses, exactly)
     return DrawingExercise(
-        "ellipse", names, trials, ELLIPSE_SIGNS, _trouble, instead=INSTEAD, otherwise=NO_ELLIPSE
+        "ellipse",
+        names,
+        trials,
+        [NOT_BGIS, *ELLIPSE_SIGNS],
+        _trouble,
+        instead=INSTEAD,
+        otherwise=NO_ELLIPSE,
     )

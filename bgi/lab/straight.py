@@ -109,6 +109,13 @@ def _only_backwards(axis: int) -> Callable[[Evidence], bool]:
     )
 
 
+def _is_right(fault: Fault) -> bool:
+    """It is a right line, where exactly that of bgi is wanted."""
+    *ends, color = fault.arguments
+    x1, y1, x2, y2 = ends
+    return np.array_equal(fault.got, _nearest((x1, y1, x2, y2), color)(fault.got))
+
+
 def _gaps(evidence: Evidence) -> bool:
     """Steep lines have a pixel in every column, where there should be one in every row."""
     return evidence.always(
@@ -246,6 +253,11 @@ OTHERWISE = (
 )
 SIGNS: list[Sign] = [
     *COMMON,
+    (
+        only(_is_right),
+        "the line is right, but not bgi's: where two pixels are as near, which one is taken, and"
+        " from which end is it drawn?",
+    ),
     (
         only(lambda fault: _run(fault) == (0, 0)),
         "a line from a point to itself is that one pixel",

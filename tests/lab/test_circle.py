@@ -57,6 +57,11 @@ def test_any_circle_is_right(function):
     assert verdict, str(verdict)
 
 
+def test_exactly_asks_for_the_pixels_of_circle():
+    verdict = check.circle(midpoint, exactly=True)
+    assert (verdict.tried - verdict.passed, "right, but not bgi's" in verdict.hint) == (1, True)
+
+
 wrong = Mistakes()
 
 

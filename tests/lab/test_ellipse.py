@@ -58,6 +58,11 @@ def test_any_ellipse_is_right(function):
     assert verdict, str(verdict)
 
 
+def test_exactly_asks_for_the_pixels_of_ellipse():
+    verdict = check.ellipse(midpoint, exactly=True)
+    assert not verdict and "right, but not bgi's" in verdict.hint
+
+
 wrong = Mistakes()
 
 

@@ -95,4 +95,6 @@ class TestExactly:
 
         assert check.line(downwards, exactly=True)
         assert check.line(from_the_other_end)
-        assert not check.line(from_the_other_end, exactly=True)
+        for function in (dda, bresenham, from_the_other_end):
+            verdict = check.line(function, exactly=True)
+            assert not verdict and "right, but not bgi's" in verdict.hint
