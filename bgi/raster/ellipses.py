@@ -238,14 +238,15 @@ CURVES = Kept(_curve, 1 << 23)
 def _thick_curve(
     start: int, end: int, rx: int, ry: int, xor: bool, trace: Trace, width: int
 ) -> Offsets:
-    sides = thick_sides(start, end, rx, ry)
+    x1, y1, x2, y2 = sides = thick_sides(start, end, rx, ry)
+    level = abs(x2 - x1) >= abs(y2 - y1)
     if is_fine(rx, ry) and not xor:  # pixels may come more than once
-        x1, y1, x2, y2 = sides
-        level = abs(x2 - x1) >= abs(y2 - y1)
-        ends = np.concatenate((x1, x2)), np.concatenate((y1, y2))
-        x, y = lines.beside(*ends, np.concatenate((level, level)))
+        x, y = np.concatenate((x1, x2)), np.concatenate((y1, y2))
+        level = np.concatenate((level, level))
     else:
-        x, y, _ = lines.trace_strands(trace, sides)
+        x, y, _, line = trace(sides)
+        level = level[line]
+    x, y = lines.beside(x, y, level)
     return figure(x, y, reach(x, y), width, xor)
 
 
