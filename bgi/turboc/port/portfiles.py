@@ -26,7 +26,7 @@ _SCREEN = ("stdin", "stdout", "stderr", "stdprn", "stdaux")
 _UNSAID = {
     **dict.fromkeys(("fread", "fwrite"), "the bytes of a variable in a file"),
     "fscanf": "read a line of the file, and split it",
-    "feof": "Python has no end of a file that is asked for: what is read there is empty",
+    "feof": "in Python, what is read at the end of a file is empty",
     "fgets": "read a line by readline()",
 }
 """What Python does otherwise."""
