@@ -200,7 +200,7 @@ def _side(dx: int, dy: int) -> Callable[[Evidence], bool]:
 
 
 def _quarter(fault: Fault) -> bool:
-    seen = _around(fault, fault.drawn)
+    seen = _around(fault, fault.drawn) or {(0, 0)}
     across, down = ({(v > 0) - (v < 0) for v in side} - {0} for side in zip(*seen, strict=True))
     return len(across) == len(down) == 1
 
