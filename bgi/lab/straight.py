@@ -230,9 +230,9 @@ def _from_zero(fault: Fault) -> bool:
 
 
 def _only_gentle_right(evidence: Evidence) -> bool:
-    """The first octant is right, and most others are not."""
+    """The first octant is right, and no other one is."""
     wrong = {_octant(*_run(fault)) for fault in evidence.faults} - {None}
-    return len(wrong) > 5 and _octant(9, 4) not in wrong
+    return len(wrong) == 7 and _octant(9, 4) not in wrong
 
 
 def _some_octants(evidence: Evidence) -> bool:
@@ -343,7 +343,11 @@ SIGNS: list[Sign] = [
         _where(lambda fault: _run(fault)[0] * _run(fault)[1] < 0),
         "lines that go up to the right, and down to the left, are wrong: think of the step's sign",
     ),
-    (_some_octants, "some of the eight octants are right, others are not"),
+    (
+        _some_octants,
+        "some of the eight octants are right, others are not. Is the line steep? Does it go left,"
+        " or up? Then its step along x or y is -1",
+    ),
 ]
 
 

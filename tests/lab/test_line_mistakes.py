@@ -251,6 +251,22 @@ def whole_steps(x1, y1, x2, y2, color):
             x, y = x + (x2 - x1) // steps, y + (y2 - y1) // steps
 
 
+@wrong("Does it go left, or up?")
+def without_signs(x1, y1, x2, y2, color):
+    dda(x1, y1, x1 + abs(x2 - x1), y1 + abs(y2 - y1), color)
+
+
+@wrong("Is the line steep?")
+def one_loop_of_the_textbook(x1, y1, x2, y2, color):
+    if x1 > x2:
+        x1, y1, x2, y2 = x2, y2, x1, y1
+    dx, dy, y = x2 - x1, abs(y2 - y1), y1
+    d = 2 * dy - dx
+    for x in range(x1, x2 + 1):
+        putpixel(x, y, color)
+        y, d = (y + 1, d + 2 * dy - 2 * dx) if d > 0 else (y, d + 2 * dy)
+
+
 @wrong("the slope is upside down")
 def dx_through_dy(x1, y1, x2, y2, color):
     if x1 == x2 or y1 == y2:
