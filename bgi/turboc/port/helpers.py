@@ -151,7 +151,7 @@ class Helpers:
     @property
     def modules(self) -> set[str]:
         """The modules that they need."""
-        return {module for name in self._names for module in _MODULES.get(name, "").split()}
+        return {_MODULES[name] for name in self._names if name in _MODULES}
 
     def notes(self) -> list[str]:
         """What the head of the program tells of them."""

@@ -155,7 +155,7 @@ class PortEffects(PortClasses):
             return False
         if place_key(value.target) in self.facts.singles and loses(given):
             return False
-        if self.is_seen(given):
+        if self.is_seen(given):  # it must be cut to its 16 bits
             return False
         right = self.value(given.right)
         self.line(f"{self.target(value.target)} {given.op}= {right}")

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from bgi.turboc.checker.typed import (
-    Address,
     Comparison,
     Constant,
     Converted,
     Inverse,
     LibraryCall,
-    Quoted,
     Routine,
     Value,
     Variable,
@@ -58,15 +56,15 @@ class PortFiles(PortLibrary):
 
     def _fopen(self, value: LibraryCall) -> Code:
         name, mode = value.arguments
-        text = mode.operand if isinstance(mode, Address) else None
-        if not isinstance(text, Quoted):
+        written = walking.literal(mode)
+        if written is None:
             raise self.refuse(value.place, "fopen() with a mode that is not written there")
         helper = "open_file" if self._asks() else "open_or_empty"
         if helper == "open_or_empty":
             self.names.use("io", "BytesIO")
             self.names.use("io", "StringIO")
-        written = quoted(text.data.decode("cp437"))
-        return call(self.helpers.use(helper), [self.string(name), written])
+        how = quoted(written.decode("cp437"))
+        return call(self.helpers.use(helper), [self.string(name), how])
 
     def _asks(self) -> bool:
         """Whether the program ever asks if a file is open."""
@@ -89,9 +87,7 @@ class PortFiles(PortLibrary):
         for routine in self.routines:
             for one in walking.values(walking.of_routine(routine)):
                 if isinstance(one, LibraryCall) and one.name == "fopen":
-                    mode = one.arguments[1]
-                    text = mode.operand if isinstance(mode, Address) else None
-                    found.add(isinstance(text, Quoted) and b"b" in text.data)
+                    found.add(b"b" in (walking.literal(one.arguments[1]) or b""))
         if len(found) > 1:
             raise self.refuse(value.place, "some files as text, and others as bytes")
         return found == {True}

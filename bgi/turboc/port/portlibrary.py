@@ -13,7 +13,6 @@ from bgi.turboc.checker.typed import (
     Constant,
     Converted,
     LibraryCall,
-    Quoted,
     Value,
 )
 from bgi.turboc.checker.types import (
@@ -24,6 +23,7 @@ from bgi.turboc.checker.types import (
     is_text,
 )
 from bgi.turboc.emitter.effects import has_effects, order_matters
+from bgi.turboc.port import walking
 from bgi.turboc.port.formats import f_string, scanned
 from bgi.turboc.port.outs import LIBRARY_OUTS
 from bgi.turboc.port.pointershapes import TEXT
@@ -167,11 +167,10 @@ class PortLibrary(PortValues):
         return self.place_code(target)
 
     def _scanned(self, value: LibraryCall, first: int) -> Code:
-        format_ = value.arguments[first - 1]
-        text = format_.operand if isinstance(format_, Address) else None
-        if not isinstance(text, Quoted):
+        text = walking.literal(value.arguments[first - 1])
+        if text is None:
             raise self.refuse(value.place, "a format that is not written in the call")
-        letters = scanned(text.data.decode("cp437"))
+        letters = scanned(text.decode("cp437"))
         before = [self.string(one) for one in value.arguments[:first]]
         module = "bgi.conio" if value.name == "cscanf" else "bgi.stdio"
         code = call(self.names.use(module, value.name), before)
@@ -249,10 +248,10 @@ class PortLibrary(PortValues):
         """What sprintf() writes: an f-string where that is exactly the same."""
         format_, *rest = values
         codes = self.ordered(tuple(rest), lambda place, one: self.printed(one))
-        text = format_.operand if isinstance(format_, Address) else None
-        if isinstance(text, Quoted):
+        text = walking.literal(format_)
+        if text is not None:
             types = [one.type for one in rest]
-            said = f_string(text.data.partition(b"\0")[0].decode("cp437"), codes, types)
+            said = f_string(text.partition(b"\0")[0].decode("cp437"), codes, types)
             if said is not None:
                 return Code(said)
         return call(self.names.use("bgi.stdio", "sprintf"), [self.string(format_), *codes])

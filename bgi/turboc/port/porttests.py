@@ -134,9 +134,8 @@ class PortTests(PortPlaces):
             if op in ("==", "!=") and isinstance(other, Constant) and self.is_character(letter):
                 return self._letters(op, letter, other)
             zero = isinstance(other, Constant) and other.value == 0
-            divided = isinstance(letter, Arithmetic) and letter.op == "%"
-            if zero and divided and op in ("==", "!="):
-                return binary(op, self._remainder(letter), Code("0"))  # type: ignore[arg-type]
+            if zero and isinstance(letter, Arithmetic) and letter.op == "%" and op in ("==", "!="):
+                return binary(op, self._remainder(letter), Code("0"))
             if zero and isinstance(letter, LibraryCall):
                 texts = self.compared(letter, op if one is left else _MIRRORED[op])
                 if texts is not None:

@@ -10,11 +10,11 @@ from bgi.turboc.checker.typed import (
     Constant,
     Converted,
     LibraryCall,
-    Quoted,
     Value,
     Variable,
 )
 from bgi.turboc.checker.types import StructType
+from bgi.turboc.port import walking
 from bgi.turboc.port.portfiles import PortFiles
 from bgi.turboc.port.portlibrary import MODULES
 from bgi.turboc.port.pycode import Code, binary, call, quoted
@@ -147,9 +147,7 @@ def _letter(text: str) -> _Writer:
 
 def _system(writer: PortWords, value: LibraryCall) -> Code:
     """What a program asked the shell for that has a function of its own."""
-    command = value.arguments[0]
-    text = command.operand if isinstance(command, Address) else None
-    word = text.data.strip().lower() if isinstance(text, Quoted) else b""
+    word = (walking.literal(value.arguments[0]) or b"").strip().lower()
     if word == b"cls":
         return call(writer.names.use("bgi.conio", "clrscr"), [])
     if word == b"pause":

@@ -21,6 +21,7 @@ from bgi.turboc.checker.typed import (
     Leave,
     Loop,
     MethodCall,
+    Quoted,
     Routine,
     Select,
     Store,
@@ -188,6 +189,12 @@ def ends_here(thing: list[Act]) -> bool:
 def of_routine(routine: Routine) -> list[Act]:
     """All statements of a function."""
     return [*routine.before, routine.body, *routine.after]
+
+
+def literal(value: Value) -> bytes | None:
+    """The bytes of a string that is written there; None if it is none."""
+    text = value.operand if isinstance(value, Address) else None
+    return text.data if isinstance(text, Quoted) else None
 
 
 def computed(act: Act) -> Value | None:
