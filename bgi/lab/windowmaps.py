@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from bgi.lab.answered import AnswerExercise, Slip, matrix
 from bgi.lab.matrices import (
@@ -38,40 +37,51 @@ BOXES = [
 ]
 
 
-def _fitted(window: Box, viewport: Box, *, shift: str = "both", divide: bool = False) -> Matrix:
-    """As `window_to_viewport`, with a mistake."""
-    left, top, right, bottom = window
-    to_left, to_top, to_right, to_bottom = viewport
-    across, down = (to_right - to_left) / (right - left), (to_bottom - to_top) / (bottom - top)
-    scale = scaling(1 / across, 1 / down) if divide else scaling(across, down)
-    there, back = translation(to_left, to_top), translation(-left, -top)
-    products = {
-        "both": (there, scale, back),
-        "none": (scale,),
-        "there": (there, scale),
-        "back": (scale, back),
-        "early": (scale, there, back),
-        "late": (there, back, scale),
-    }
-    return product(*products[shift])
+Scales = tuple[float, float]
 
 
-def _scaled(window: Box, viewport: Box, change: Callable[[float, float], Any]) -> Matrix:
+def _scales(window: Box, viewport: Box) -> Scales:
+    """Across and down, as they should be."""
+    (across, _, _), (_, down, _), _ = window_to_viewport(window, viewport)
+    return across, down
+
+
+def _moved(*order: str) -> Callable[[Box, Box], Matrix]:
+    """The three matrices in another order, or some of them."""
+
+    def made(window: Box, viewport: Box) -> Matrix:
+        matrices = {
+            "to": translation(*viewport[:2]),
+            "scale": scaling(*_scales(window, viewport)),
+            "back": translation(-window[0], -window[1]),
+            "there": translation(*window[:2]),
+        }
+        return product(*(matrices[name] for name in order))
+
+    return made
+
+
+def _scaled(change: Callable[[float, float], Scales]) -> Callable[[Box, Box], Matrix]:
     """As it should be, but with other scales."""
-    (sx, _, _), (_, sy, _), _ = _fitted(window, viewport, shift="none")
-    scale = scaling(*change(sx, sy))
-    return product(translation(*viewport[:2]), scale, translation(-window[0], -window[1]))
+
+    def made(window: Box, viewport: Box) -> Matrix:
+        scale = scaling(*change(*_scales(window, viewport)))
+        return product(translation(*viewport[:2]), scale, translation(-window[0], -window[1]))
+
+    return made
 
 
-def _evenly(window: Box, viewport: Box, choose: Callable[[float, float], float]) -> Matrix:
-    """With one scale for both."""
-    return _scaled(window, viewport, lambda across, down: (choose(across, down),) * 2)
+def _summed(box: Box) -> Box:
+    """Right and bottom taken for sizes."""
+    return *box[:2], box[0] + box[2], box[1] + box[3]
 
 
 def _reordered(box: Box) -> Box:
     """Taken for left, right, top, bottom."""
     return box[0], box[2], box[1], box[3]
 
+
+CORNERS = "right and bottom are corners, not sizes: the width is right - left"
 
 EXERCISE = AnswerExercise(
     "window_to_viewport",
@@ -87,27 +97,21 @@ EXERCISE = AnswerExercise(
         transposed(window_to_viewport),
         cornerless(window_to_viewport),
         Slip(
-            lambda window, viewport: _fitted(window, viewport, divide=True),
+            _scaled(lambda across, down: (1 / across, 1 / down)),
             "it shrinks where it should stretch: the viewport's size through the window's",
         ),
         Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="none"),
+            _moved("scale"),
             "it only stretches: left, top of the window must come to left, top of the viewport",
         ),
+        Slip(_moved("to", "scale"), "first move the window's left, top to 0, 0"),
+        Slip(_moved("scale", "back"), "at last move to the viewport's left, top"),
         Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="there"),
-            "first move the window's left, top to 0, 0",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="back"),
-            "at last move to the viewport's left, top",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="early"),
+            _moved("scale", "to", "back"),
             "it is moved to the viewport before it is stretched: stretch first",
         ),
         Slip(
-            lambda window, viewport: _fitted(window, viewport, shift="late"),
+            _moved("to", "back", "scale"),
             "it is stretched before it is moved to 0, 0: move first",
         ),
         Slip(
@@ -116,45 +120,36 @@ EXERCISE = AnswerExercise(
             ),
             "it is upside down: top of the window comes to top of the viewport",
         ),
+        Slip(lambda window, viewport: window_to_viewport(window, _summed(viewport)), CORNERS),
         Slip(
-            lambda window, viewport: _fitted(
-                window, (*viewport[:2], viewport[0] + viewport[2], viewport[1] + viewport[3])
-            ),
-            "right and bottom are corners, not sizes: the width is right - left",
-        ),
-        Slip(
-            lambda window, viewport: _fitted(
-                (*window[:2], window[0] + window[2], window[1] + window[3]),
-                (*viewport[:2], viewport[0] + viewport[2], viewport[1] + viewport[3]),
-            ),
-            "right and bottom are corners, not sizes: the width is right - left",
+            lambda window, viewport: window_to_viewport(_summed(window), _summed(viewport)),
+            CORNERS,
         ),
         *(
-            Slip(
-                lambda window, viewport, choose=choose: _evenly(window, viewport, choose),
-                "across and down it is stretched by numbers of their own",
+            Slip(_scaled(change), "across and down it is stretched by numbers of their own")
+            for change in (
+                lambda across, down: (min(across, down),) * 2,
+                lambda across, down: (max(across, down),) * 2,
+                lambda across, down: (across, across),
+                lambda across, down: (down, down),
             )
-            for choose in (min, max, lambda across, down: across, lambda across, down: down)
         ),
         Slip(
-            lambda window, viewport: _scaled(window, viewport, lambda a, b: (b, a)),
+            _scaled(lambda across, down: (down, across)),
             "the two scales are exchanged: width by width is for x",
         ),
         Slip(
-            lambda window, viewport: _scaled(window, viewport, lambda a, b: (a // 1, b // 1)),
+            _scaled(lambda across, down: (across // 1, down // 1)),
             "// cuts the scale off: divide by /",
         ),
         Slip(
-            lambda window, viewport: _fitted(
+            lambda window, viewport: window_to_viewport(
                 window, (*viewport[:2], viewport[2] + 1, viewport[3] + 1)
             ),
             "right - left is wanted, without 1 more: right comes to right",
         ),
         Slip(
-            lambda window, viewport: product(
-                translation(*viewport[:2]),
-                product(_fitted(window, viewport, shift="none"), translation(*window[:2])),
-            ),
+            _moved("to", "scale", "there"),
             "the window's left, top is moved the wrong way: by -left and -top",
         ),
         Slip(
