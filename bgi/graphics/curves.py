@@ -123,9 +123,27 @@ class Curves(Pen):
             self._thick_arc(cx, cy, start, end, rx, ry)
         elif start != end:
             ends = start, end, rx, ry
-            curve = CURVES[start, end, rx, ry, self.page.width]
-            self.page.curve(cx, cy, curve, self._curve_ink)
+            curve = CURVES.get((start, end, rx, ry, self.page.width))
+            if curve is None:
+                self._new_curve(cx, cy, start, end, rx, ry)
+            else:
+                self.page.curve(cx, cy, curve, self._curve_ink)
         KERNEL.arc = x, y, *ends
+
+    def _new_curve(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
+        """A thin curve around an absolute point that is not kept yet.
+
+        To keep one takes longer than to draw it: a whole one is kept when it is met again.
+        """
+        page, ink = self.page, self._curve_ink
+        key = start, end, rx, ry, page.width
+        curve = CURVES.again(*key)
+        if curve is not None:
+            page.curve(x, y, curve, ink)
+        elif (start, end) == (0, 360):
+            page.put_mirrored(x, y, ellipses.quadrant(rx, ry), ink)
+        else:
+            page.curve(x, y, CURVES[key], ink)
 
     def _thick_arc(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Lines from degree to degree around an absolute point; they know the write mode."""

@@ -61,6 +61,24 @@ class Page(Strokes):
         if not self.put_offsets(x, y, curve.pixels, color, False):
             self.put_cut(x, y, curve, color)
 
+    def put_mirrored(self, x: int, y: int, quadrant: Ints, color: int) -> None:
+        """A thin ellipse around x, y, by the points of its upper right quadrant."""
+        across, up = quadrant
+        if not len(up):
+            return
+        rx, ry = int(across[-1]), int(up[0])
+        if self.holds(x - rx, y - ry, x + rx, y + ry):
+            place, rows, ink = y * self.width + x, up * self.width, self.numbers[color]
+            for part in (across - rows, across + rows):
+                self.flat[place + part] = ink
+                self.flat[place - part] = ink
+        elif self.meets(x - rx, y - ry, x + rx, y + ry):
+            left, right, above, below = x - across, x + across, y - up, y + up
+            xs = np.concatenate((right, left, right, left))
+            ys = np.concatenate((above, above, below, below))
+            seen = within(xs, ys, self.box)
+            self.flat[(ys * self.width + xs)[seen]] = color
+
     def put_cut(self, x: int, y: int, curve: Curve, color: int) -> None:
         """What is seen of a thin curve that the clipping box cuts."""
         dx, dy, (place, left, top, right, bottom) = curve

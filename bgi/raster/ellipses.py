@@ -80,18 +80,26 @@ def _walked(ry: int, square: int, p: int, q: int) -> Ints:
     while right < down + p + q:  # the flat part: every x once
         ys.append(y)
         error += right
-        if 2 * error >= down:
-            y, error, down = y - 1, error - down, down - 2 * q
         right += 2 * p
-    x = len(ys)
-    xs = list(range(x))
-    ys.extend(range(y, -1, -1))
+        if error + error >= down:
+            y -= 1
+            error -= down
+            down -= 2 * q
+    x, half = len(ys), right // 2
+    xs: list[int] = []
     for falls in range(down, -2 * q, -2 * q):  # the steep part: every y once
         xs.append(x)
-        if right // 2 + error <= falls:
-            x, error, right = x + 1, error + right, right + 2 * p
         error -= falls
-    return np.array((xs, ys), dtype=np.int64)
+        if half + error <= 0:
+            x += 1
+            error += right
+            right += 2 * p
+            half += p
+    flat = len(ys)
+    steps = np.empty((2, flat + len(xs)), np.int64)
+    steps[0, :flat], steps[1, :flat] = _COUNT[:flat], ys
+    steps[0, flat:], steps[1, flat:] = xs, _COUNT[y::-1]
+    return steps
 
 
 def _computed(ry: int, square: int, p: int, q: int) -> Ints:

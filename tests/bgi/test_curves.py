@@ -367,6 +367,24 @@ def test_a_thin_curve_in_a_viewport_is_what_is_seen_of_the_whole(call, centre, m
     assert (cut == blank).all()
 
 
+@quick
+@given(
+    call=st.tuples(
+        st.just("ellipse"), st.tuples(st.just(0), st.just(360), *[st.integers(0, 99)] * 2)
+    ),
+    centre=centres,
+    mode=MODES,
+)
+def test_a_new_ellipse_has_the_pixels_of_a_kept_one(call, centre, mode):
+    """It is drawn from one quadrant, and kept when it is met again."""
+    with patch("bgi.graphics.curves.CURVES", Kept(curves._curve, 1 << 20)) as table:
+        new = drawn(call, centre, mode=mode)
+        assert not table
+        kept = drawn(call, centre, mode=mode)
+        assert table
+    assert (new == kept).all()
+
+
 styles = st.tuples(st.integers(0, 4), st.integers(0, 0xFFFF), st.sampled_from([1, 3]))
 
 
