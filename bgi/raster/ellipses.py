@@ -12,6 +12,7 @@ is different: one point for every whole degree, joined by thick lines.
 """
 
 import math
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -58,6 +59,7 @@ _FEW = 150
 """Up to here a loop takes less time than arrays do."""
 
 
+@lru_cache(maxsize=4)  # a filled ellipse asks for its rows and for its outline
 def quadrant(rx: int, ry: int) -> Ints:
     """The stepper's points of one quadrant, from the top (0, ry) to the right end.
 
