@@ -8,7 +8,7 @@ from bgi.constants import grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, whole
 from bgi.kernel.state import KERNEL
-from bgi.raster import ellipses, lines, polygons
+from bgi.raster import ellipses, polygons
 from bgi.raster.ellipses import CURVES, DISCS, PIECES, THICK_CURVES
 from bgi.raster.patterns import EMPTY_ROWS, SOLID
 from bgi.settings import arccoordstype
@@ -163,8 +163,7 @@ class Curves(Pen):
                 page.put_seen(x, y, figure, color, xor)
         elif page.meets(*around):
             x1, y1, x2, y2 = ellipses.thick_sides(start, end, rx, ry)
-            strands = lines.strands_many((x + x1, y + y1, x + x2, y + y2))
-            page.line_many(strands, np.full(len(strands[0]), color), SOLID, xor)
+            page.thick_lines((x + x1, y + y1, x + x2, y + y2), color, xor)
 
     # Filled
 

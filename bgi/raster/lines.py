@@ -98,9 +98,9 @@ def _move(x: int, y: int, dx: int, dy: int, box: Box) -> tuple[int, int]:
 
 def clip_many(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.intp]]:
     """`clip` for arrays: the lines that remain, and which of the given ones they are."""
-    beyond = _beyond(segments, box)
-    kept = np.flatnonzero(~beyond)
-    if len(kept) < len(beyond):
+    out = beyond(segments, box)
+    kept = np.flatnonzero(~out)
+    if len(kept) < len(out):
         x1, y1, x2, y2 = (end[kept] for end in segments)
     else:
         x1, y1, x2, y2 = segments
@@ -135,9 +135,9 @@ def _cut_together(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.in
     dx, dy = x2 - x1, y2 - y1
     kept = np.arange(len(x1))
     for _ in range(_MOVES):
-        beyond = _beyond((x1, y1, x2, y2), box)
-        if beyond.any():
-            stay = ~beyond
+        out = beyond((x1, y1, x2, y2), box)
+        if out.any():
+            stay = ~out
             x1, y1, x2, y2, dx, dy, kept = (a[stay] for a in (x1, y1, x2, y2, dx, dy, kept))
         out1, out2 = _outside(x1, y1, box), _outside(x2, y2, box)
         if not (out1.any() or out2.any()):
@@ -149,13 +149,13 @@ def _cut_together(segments: Segments, box: Box) -> tuple[Segments, NDArray[np.in
     return (x1[inside], y1[inside], x2[inside], y2[inside]), kept[inside]
 
 
-def _beyond(segments: Segments, box: Box) -> NDArray[np.bool_]:
+def beyond(segments: Segments, box: Box) -> NDArray[np.bool_]:
     """Which lines have both ends beyond the same edge."""
     left, top, right, bottom = box
     x1, y1, x2, y2 = segments
-    beyond: NDArray[np.bool_] = (np.maximum(x1, x2) < left) | (np.minimum(x1, x2) > right)
-    beyond |= (np.maximum(y1, y2) < top) | (np.minimum(y1, y2) > bottom)
-    return beyond
+    out: NDArray[np.bool_] = (np.maximum(x1, x2) < left) | (np.minimum(x1, x2) > right)
+    out |= (np.maximum(y1, y2) < top) | (np.minimum(y1, y2) > bottom)
+    return out
 
 
 def _outside(x: Ints, y: Ints, box: Box) -> NDArray[np.bool_]:
@@ -234,20 +234,23 @@ def trace_many(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
     """
     x1, y1, x2, y2 = segments
     up = y2 < y1
-    x1, x2 = np.where(up, x2, x1), np.where(up, x1, x2)
-    y1, y2 = np.where(up, y2, y1), np.where(up, y1, y2)
-    dx, dy = x2 - x1, y2 - y1
+    dx, dy = x2 - x1, abs(y2 - y1)
+    x1, y1, dx = np.where(up, x2, x1), np.minimum(y1, y2), np.where(up, -dx, dx)
     n = np.maximum(abs(dx), dy)
-    line = repeat(np.arange(len(n)), n + 1)
-    step = np.arange(len(line)) - (np.cumsum(n + 1) - (n + 1)).take(line)
+    count = n + 1
+    line = repeat(np.arange(len(n)), count)
+    step = np.arange(len(line), dtype=np.int64)
+    step -= (np.cumsum(count) - count).take(line)
     # The exact positions are multiples of 1 / n. A half is rounded the way the line goes: adding
     # 1 / 4n more, or less, keeps an error of floating point on the right side.
-    length = np.maximum(n, 1).astype(np.float64)
-    x = (dx / length).take(line) * step
-    x += (x1 + (0.5 + np.copysign(0.25 / length, dx))).take(line)
-    y = (dy / length).take(line) * step
-    y += (y1 + (0.5 + 0.25 / length)).take(line)
-    return np.floor(x).astype(np.int64), np.floor(y).astype(np.int64), step, line
+    scale = 1 / np.maximum(n, 1)
+    x = (dx * scale).take(line)
+    x *= step
+    x += (x1 + (0.5 + np.copysign(0.25 * scale, dx))).take(line)
+    y = (dy * scale).take(line)
+    y *= step
+    y += (y1 + (0.5 + 0.25 * scale)).take(line)
+    return np.floor(x, out=x).astype(np.int64), np.floor(y, out=y).astype(np.int64), step, line
 
 
 def trace_rightward(segments: Segments) -> tuple[Ints, Ints, Ints, Ints]:
