@@ -222,7 +222,7 @@ class Curves(Pen):
             else:
                 corners = zip(piece.edge.dx.tolist(), piece.edge.dy.tolist(), strict=True)
                 shifted = [(cx + dx, cy + dy) for dx, dy in corners]
-                self._sides(polygons.edges(polygons.paths(shifted)), color)
+                self._outline(polygons.paths(shifted), color)
         for angle in (start, end):  # without an angle between them both radii are a dot
             ex, ey = ellipses.point_at(angle, rx, ry) if start < end else (0, 0)
             self._segment(cx, cy, cx + ex, cy + ey, color)

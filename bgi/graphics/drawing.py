@@ -161,7 +161,7 @@ class Drawing(Pen):
         corners = polygon_points(points, flat)
         if isinstance(corners, list):
             ink = self._one_color("color", color, self.settings.color)
-            self._sides(polygons.edges(polygons.paths(self._shifted(corners))), self._index(ink))
+            self._outline(polygons.paths(self._shifted(corners)), self._index(ink))
         else:
             sides, real = spans.edges_many(*self._columns(corners))
             colors = self._colors("color", color, self.settings.color, len(corners))

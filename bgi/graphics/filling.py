@@ -179,8 +179,7 @@ class Filling(Pen):
         if self._fill_rows != EMPTY_ROWS:  # which leaves a polygon's interior alone
             self._fill_area(outline, fill)
         if color:  # an outline in colour 0 is not drawn, though one in 16 is: as index 0
-            sides = polygons.edges(outline) or [(*point, *point) for point in points[:1]]
-            self._sides(sides, ink)
+            self._outline(outline or [points[:1] * 2], ink)  # a polygon of one point is that point
 
     def _fill_again(self, points: list[Point], fill: int, ink: int | None) -> bool:
         """Fill a small polygon that was met before; False if it is not one, or an edge cuts it."""

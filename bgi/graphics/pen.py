@@ -7,7 +7,7 @@ filled in the pattern that is set. All points here are absolute: the viewport's 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import chain
+from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
@@ -110,15 +110,16 @@ class Pen(State):
                 return
         page.styled_outline(left, top, right, bottom, color, style, xor)
 
-    def _sides(self, sides: list[Segment], color: int) -> None:
-        """The lines of one figure."""
-        if len(sides) < FEW:  # else the array path is faster: it drops what is off screen at once
+    def _outline(self, outline: list[Path], color: int) -> None:
+        """The lines of one polygon, by its paths."""
+        if sum(map(len, outline)) < FEW:  # else arrays are faster: they drop at once what is far
             draw = self.page.line if self._plain else self._segment
-            for x1, y1, x2, y2 in sides:
-                draw(x1, y1, x2, y2, color)
+            for path in outline:
+                for (x1, y1), (x2, y2) in pairwise(path):
+                    draw(x1, y1, x2, y2, color)
         else:
-            x1, y1, x2, y2 = whole_array("sides", sides).T
-            self._segments((x1, y1, x2, y2), np.full(len(sides), color))
+            x1, y1, x2, y2 = whole_array("sides", polygons.edges(outline)).T
+            self._segments((x1, y1, x2, y2), np.full(len(x1), color))
 
     def _segments(self, segments: Segments, colors: NDArray[Any]) -> None:
         """Many lines between absolute points, each in its colour."""

@@ -25,6 +25,8 @@ _Side = tuple[int, int, list[int]]
 
 def paths(points: Sequence[Point]) -> list[Path]:
     """Split a polygon where a path returns to its first point; a single last point is dropped."""
+    if len(points) > 2 and points[0] not in points[1:-1]:  # as most are
+        return [list(points)]
     found: list[Path] = []
     path: Path = []
     for point in points:

@@ -356,7 +356,7 @@ def test_a_thin_curve_in_a_viewport_is_what_is_seen_of_the_whole(call, centre, m
     """A slice may have lines, whose clipped pixels may differ: it is drawn without."""
     with (
         patch.object(Graphics, "_segment", lambda *_: None),
-        patch.object(Graphics, "_sides", lambda *_: None),
+        patch.object(Graphics, "_outline", lambda *_: None),
     ):
         whole = drawn(call, centre, mode=mode, fill=fill, box=(0, 0, 319, 199))
         cut = drawn(call, centre, mode=mode, fill=fill)
