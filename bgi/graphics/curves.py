@@ -8,9 +8,11 @@ from bgi.constants import grError
 from bgi.graphics.pen import Pen
 from bgi.kernel.arguments import Number, Numbers, whole
 from bgi.kernel.state import KERNEL
-from bgi.raster import ellipses, polygons
-from bgi.raster.ellipses import CURVES, DISCS, PIECES, THICK_CURVES
+from bgi.raster import ellipses, polygons, slices
+from bgi.raster.ellipses import CURVES, THICK_CURVES
 from bgi.raster.patterns import EMPTY_ROWS, SOLID
+from bgi.raster.regions import FigureRows
+from bgi.raster.slices import DISCS, PIECES, REGIONS
 from bgi.settings import arccoordstype
 
 
@@ -173,8 +175,17 @@ class Curves(Pen):
 
     def _fillellipse(self, x: int, y: int, rx: int, ry: int) -> None:
         cx, cy = x + self._dx, y + self._dy
-        self.page.fill_figure(cx, cy, DISCS[rx, ry], self._fill_ink, self._fill_rows)
+        self._fill_curve(cx, cy, 0, 360, rx, ry, DISCS[rx, ry])
         self._elliptic_arc(x, y, 0, 360, rx, ry)
+
+    def _fill_curve(
+        self, x: int, y: int, first: int, last: int, rx: int, ry: int, rows: FigureRows
+    ) -> None:
+        """What a piece of an ellipse encloses, or all of one, around an absolute point."""
+        page, ink, pattern = self.page, self._fill_ink, self._fill_rows
+        kept = REGIONS.again(first, last, rx, ry, page.width)
+        if kept is None or not page.fill_region(x, y, kept, ink, pattern):
+            page.fill_figure(x, y, rows, ink, pattern)
 
     def pieslice(
         self, x: Numbers, y: Numbers, stangle: Numbers, endangle: Numbers, radius: Numbers
@@ -208,15 +219,15 @@ class Curves(Pen):
 
     def _sector(self, x: int, y: int, start: int, end: int, rx: int, ry: int) -> None:
         """Quadrant by quadrant: each piece's area, then its arc; the two radii at the end."""
-        start, end = ellipses.slice_angles(start, end)
+        start, end = slices.slice_angles(start, end)
         KERNEL.arc = (x, y, start, end, rx, ry) if start < end else (x, y, 0, 0, 0, 0)
         if not ellipses.drawable(rx, ry):
             return
         cx, cy, color = x + self._dx, y + self._dy, self._ink
-        for first, last in ellipses.quarters(start, end):
+        for first, last in slices.quarters(start, end):
             piece = PIECES[first, last, rx, ry, self.page.width]
             if self._fill_rows != EMPTY_ROWS:  # which leaves a polygon's interior alone
-                self.page.fill_figure(cx, cy, piece.rows, self._fill_ink, self._fill_rows)
+                self._fill_curve(cx, cy, first, last, rx, ry, piece.rows)
             if self._plain and piece.smooth:
                 self.page.curve(cx, cy, piece.edge, color)
             else:

@@ -7,14 +7,12 @@ import numpy as np
 
 from bgi.memory.pixmap import Mask, Pixels, Pixmap
 from bgi.raster.arrays import repeat
-from bgi.raster.ellipses import FigureRows
 from bgi.raster.floodfill import flood
 from bgi.raster.lines import Box, Ints, grouped
 from bgi.raster.patterns import EMPTY_ROWS, SOLID_ROWS, Ink, ink
 from bgi.raster.polygons import Rows
+from bgi.raster.regions import FigureRows, Region
 from bgi.raster.spans import Spans
-
-Cuts = dict[int, memoryview]
 
 FAR = 1 << 40
 """Nothing of a figure so far away can be seen; below it int64 holds its points."""
@@ -92,7 +90,7 @@ class Areas(Pixmap):
     def fill_rows(self, where: Rows, color: int, pattern: bytes) -> None:
         """Rows of pixels, each y within the clipping box, in a fill pattern."""
         left, right, width, pixels = self._left, self._right, self.width, self._row
-        whole, cut = _row_of(color, width, self.flat.dtype)
+        pieces = _pieces(color, width, self.flat.dtype)
         inked = None if pattern == SOLID_ROWS else self._ink(color, pattern).rows
         for y, a, b in zip(*where, strict=True):
             if a > b:
@@ -108,12 +106,8 @@ class Areas(Pixmap):
                 place = y * width
                 pixels[place + a : place + b] = inked[y & 7][a:b]
                 continue
-            try:
-                piece = cut[b - a]
-            except KeyError:
-                piece = cut[b - a] = whole[: b - a]
             y *= width
-            pixels[y + a : y + b] = piece
+            pixels[y + a : y + b] = pieces[b - a]
 
     def _patterned(self, place: Ints, colors: Ints, rows: bytes) -> Ints:
         """What a fill writes at those places."""
@@ -148,6 +142,23 @@ class Areas(Pixmap):
             shown = slice(first, last)
             ends = (left[shown] + x).tolist(), (right[shown] + x).tolist()
             self.fill_rows(((ys[shown] + y).tolist(), *ends), color, pattern)
+
+    def fill_region(self, x: int, y: int, region: Region, color: int, pattern: bytes) -> bool:
+        """Fill a kept region at x, y; False, and nothing is done, if the clipping box cuts it."""
+        rows, left, top, right, bottom = region
+        if not self.holds(x + left, y + top, x + right, y + bottom):
+            return not self.meets(x + left, y + top, x + right, y + bottom)
+        place = (y + top) * self.width + x + left
+        pixels = self._row[place:]
+        if pattern == SOLID_ROWS:
+            pieces = _pieces(color, self.width, self.flat.dtype)
+            for here, _, length in rows:
+                pixels[here] = pieces[length]
+        else:
+            inked = self._ink(color, pattern).block.ravel().data[place % (8 * self.width) :]
+            for here, there, _ in rows:
+                pixels[here] = inked[there]
+        return True
 
     # Floods
 
@@ -217,7 +228,19 @@ def _leaves(area: Rows, box: Box, view: Box) -> bool:
     return any(side != end and side in places for side, end, places in reached)
 
 
+class _Pieces(dict[int, memoryview]):
+    """Pieces of a row of one colour, to copy from, by their length."""
+
+    def __init__(self, row: memoryview) -> None:
+        super().__init__()
+        self._row = row
+
+    def __missing__(self, length: int) -> memoryview:
+        piece = self[length] = self._row[:length]
+        return piece
+
+
 @lru_cache(maxsize=64)
-def _row_of(color: int, width: int, dtype: np.dtype[Any]) -> tuple[memoryview, Cuts]:
-    """A row of one colour to copy from, and what has been cut from its beginning, by length."""
-    return np.full(width, color, dtype).data, {}
+def _pieces(color: int, width: int, dtype: np.dtype[Any]) -> _Pieces:
+    """Pieces of a row of that width."""
+    return _Pieces(np.full(width, color, dtype).data)

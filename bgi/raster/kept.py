@@ -8,6 +8,8 @@ import numpy as np
 Made = TypeVar("Made", bound=Iterable[object])
 _OF_AN_ENTRY = 500
 """Bytes that an entry takes besides its arrays' numbers, roughly."""
+_OF_A_ROW = 300
+"""Bytes that each element of a list takes, which is a tuple of slices."""
 MET = 1000
 """Keys that are remembered until they are met again."""
 
@@ -15,9 +17,9 @@ MET = 1000
 class Kept(dict[Any, Made]):
     """What a function made of its arguments, to be looked up by them: `table[a, b]` is `f(a, b)`.
 
-    What it makes is a tuple of arrays and numbers, or of such tuples. Where all of them together
-    take too many bytes, the oldest are forgotten. (functools.lru_cache counts entries, whatever
-    their size, and takes longer to find one.)
+    What it makes is a tuple of arrays, lists and numbers, or of such tuples. Where all of them
+    together take too many bytes, the oldest are forgotten. (functools.lru_cache counts entries,
+    whatever their size, and takes longer to find one.)
     """
 
     def __init__(self, make: Callable[..., Made], most_bytes: int) -> None:
@@ -54,6 +56,8 @@ def _bytes(made: Iterable[object]) -> int:
     for part in made:
         if isinstance(part, np.ndarray):
             total += part.nbytes
+        elif isinstance(part, list):
+            total += _OF_A_ROW * len(part)
         elif isinstance(part, tuple):
             total += _bytes(part)
     return total

@@ -15,6 +15,7 @@ from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
 from bgi.memory.page import Page
 from bgi.raster import ellipses as curves
+from bgi.raster import slices
 from bgi.raster.kept import Kept
 from bgi.settings import arccoordstype
 from tests.pictures import points
@@ -368,21 +369,27 @@ def test_a_thin_curve_in_a_viewport_is_what_is_seen_of_the_whole(call, centre, m
 
 
 @quick
-@given(
-    call=st.tuples(
-        st.just("ellipse"), st.tuples(st.just(0), st.just(360), *[st.integers(0, 99)] * 2)
-    ),
-    centre=centres,
-    mode=MODES,
-)
-def test_a_new_ellipse_has_the_pixels_of_a_kept_one(call, centre, mode):
-    """It is drawn from one quadrant, and kept when it is met again."""
-    with patch("bgi.graphics.curves.CURVES", Kept(curves._curve, 1 << 20)) as table:
-        new = drawn(call, centre, mode=mode)
-        assert not table
-        kept = drawn(call, centre, mode=mode)
-        assert table
+@given(call=curve_calls, centre=centres, mode=MODES, fill=st.integers(0, 11))
+def test_a_curve_that_is_met_again_has_the_same_pixels(call, centre, mode, fill):
+    """Then it is kept: its outline, and the rows that fill it."""
+    with (
+        patch("bgi.graphics.curves.CURVES", Kept(curves._curve, 1 << 20)),
+        patch("bgi.graphics.curves.REGIONS", Kept(slices._region, 1 << 20)),
+    ):
+        new, again, kept = (drawn(call, centre, mode=mode, fill=fill) for _ in range(3))
+    assert (new == again).all()
     assert (new == kept).all()
+
+
+def test_a_filled_curve_is_kept_when_it_is_met_again(vga):
+    with (
+        patch("bgi.graphics.curves.CURVES", Kept(curves._curve, 1 << 20)) as outlines,
+        patch("bgi.graphics.curves.REGIONS", Kept(slices._region, 1 << 20)) as regions,
+    ):
+        vga.fillellipse(100, 100, 30, 20)
+        assert not outlines and not regions
+        vga.fillellipse(200, 200, 30, 20)
+        assert outlines and regions
 
 
 styles = st.tuples(st.integers(0, 4), st.integers(0, 0xFFFF), st.sampled_from([1, 3]))
@@ -402,8 +409,8 @@ def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode
     kept = drawn(call, centre, style, xor, mode, fill)
 
     def by_lines(*key):
-        piece = curves._piece(*key)
-        rows = curves._scanned_rows(piece.edge.dx, piece.edge.dy)
+        piece = slices._piece(*key)
+        rows = slices._scanned_rows(piece.edge.dx, piece.edge.dy)
         return piece._replace(rows=rows, smooth=False)
 
     def cut(self, *_):
@@ -430,10 +437,10 @@ def test_kept_curves_are_those_drawn_line_by_line(call, centre, style, xor, mode
 @example(piece=0, ends=(0, 90), rx=40, ry=30)
 def test_a_smooth_piece_of_a_slice_is_filled_like_any_polygon(piece, ends, rx, ry):
     first, last = (piece + angle for angle in sorted(ends))
-    found = curves._piece(first, last, rx, ry, 640)
+    found = slices._piece(first, last, rx, ry, 640)
     if (first, last, rx, ry) == (0, 90, 40, 30):
         assert found.smooth
-    scanned = curves._scanned_rows(found.edge.dx, found.edge.dy)
+    scanned = slices._scanned_rows(found.edge.dx, found.edge.dy)
     for one, other in zip(found.rows, scanned, strict=True):
         assert one.tolist() == other.tolist()
 

@@ -21,7 +21,7 @@ from bgi.kernel.modes import window
 from bgi.kernel.state import KERNEL
 from bgi.memory.card import MAX_SIDE
 from bgi.memory.pixmap import Numbers
-from bgi.raster import ellipses
+from bgi.raster import ellipses, slices
 from bgi.raster.kept import Kept
 from bgi.raster.lines import trace_many
 from tests.stroked import font_of
@@ -230,13 +230,20 @@ def test_what_is_large_is_not_kept(cache: object, call: Callable[[], object]) ->
     assert cache.cache_info().currsize == 0  # type: ignore[attr-defined]
 
 
+def fill_twice(radius: int) -> None:
+    """What is filled once is not kept."""
+    for _ in range(2):
+        bgi.fillellipse(1, 1, 9, radius)
+
+
 @pytest.mark.parametrize(
     ("table", "call"),
     [
         (ellipses.RINGS, lambda radius: bgi.arc(1, 1, 10, 80, radius)),
         (ellipses.CURVES, lambda radius: bgi.circle(1, 1, radius)),
-        (ellipses.DISCS, lambda radius: bgi.fillellipse(1, 1, 9, radius)),
-        (ellipses.PIECES, lambda radius: bgi.sector(1, 1, 30, 60, 9, radius)),
+        (slices.DISCS, lambda radius: bgi.fillellipse(1, 1, 9, radius)),
+        (slices.PIECES, lambda radius: bgi.sector(1, 1, 30, 60, 9, radius)),
+        (slices.REGIONS, fill_twice),
     ],
 )
 def test_what_is_kept_of_curves_is_bounded_by_its_bytes(
