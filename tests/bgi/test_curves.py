@@ -392,6 +392,29 @@ def test_a_filled_curve_is_kept_when_it_is_met_again(vga):
         assert outlines and regions
 
 
+@quick
+@given(
+    ends=st.tuples(ANGLES, ANGLES),
+    rx=st.integers(0, 160),
+    ry=st.integers(0, 160),
+    centre=centres,
+    xor=st.integers(0, 1),
+    mode=MODES,
+)
+@example(ends=(0, 360), rx=120, ry=90, centre=(50, 50), xor=1, mode=(CGA, CGAC0))
+def test_a_thick_curve_that_an_edge_cuts_is_thick_lines(ends, rx, ry, centre, xor, mode):
+    def drawn_by(name, *numbers):
+        call = name, numbers
+        return drawn(call, centre, style=(0, 0, 3), xor=xor, mode=mode)
+
+    def sides(screen, x, y, *curve):
+        for dx1, dy1, dx2, dy2 in np.stack(curves.thick_sides(*curve), axis=-1).tolist():
+            screen.line(x + dx1, y + dy1, x + dx2, y + dy2)
+
+    with patch.object(Graphics, "sides", sides, create=True):
+        assert (drawn_by("ellipse", *ends, rx, ry) == drawn_by("sides", *ends, rx, ry)).all()
+
+
 styles = st.tuples(st.integers(0, 4), st.integers(0, 0xFFFF), st.sampled_from([1, 3]))
 
 
