@@ -2,6 +2,7 @@
 
 import itertools
 import os
+import signal
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 os.environ["BGI_MONITOR"] = "none"
@@ -19,6 +20,10 @@ from bgi.kernel.modes import find
 from bgi.kernel.state import KERNEL
 from bgi.memory import sdl
 from bgi.monitor import moment
+
+# In the background of a script Ctrl-C is ignored; the programs that tests start would inherit that.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # An example may take its time: machines are busy now and then.
 hypothesis.settings.register_profile("patient", deadline=None)

@@ -11,7 +11,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable
-from types import TracebackType
+from types import FrameType, TracebackType
 
 from bgi.errors import TimeIsUp, WindowClosed
 from bgi.kernel import hints
@@ -52,6 +52,15 @@ def follow_program(end: Callable[[], None], close: Callable[[], None]) -> None:
 
     atexit.register(end)
     sys.excepthook, threading.excepthook = hook, thread_hook
+    in_main_thread = threading.current_thread() is threading.main_thread()
+    if in_main_thread and signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, _ignore_the_user)
+
+
+def _ignore_the_user(number: int, frame: FrameType | None) -> None:
+    """Ctrl-C where it is ignored, as after nohup or `&` in a script: only `interrupt` is heard."""
+    if _interrupted:
+        raise KeyboardInterrupt
 
 
 def interrupt(error: WindowClosed) -> None:

@@ -44,6 +44,7 @@ ENDS = {
     "1 / 0": (1, "ZeroDivisionError: division by zero"),
     "signal.raise_signal(signal.SIGINT)": (CTRL_C, "KeyboardInterrupt"),
 }
+COMPUTES = "headless.BUSY_TIMES = headless.BUSY_SECONDS = 1\nwhile True: pass"
 # The same where the end is planned.
 PLANNED_ENDS = {
     "while not kbhit(): delay(10)": 0,
@@ -53,7 +54,7 @@ PLANNED_ENDS = {
     "while True: time.sleep(0.01)": 0,
     "while not kbhit(): time.sleep(0.05)": 0,
     "time.sleep(1000)": 0,
-    "headless.BUSY_TIMES = headless.BUSY_SECONDS = 1\nwhile True: pass": 0,
+    COMPUTES: 0,
 }
 
 
@@ -108,6 +109,22 @@ def test_every_end(ended: Ended, statement: str) -> None:
 @pytest.mark.parametrize("statement", PLANNED_ENDS)
 def test_every_planned_end(ended: Ended, statement: str) -> None:
     assert ended(statement, after="300ms") == (PLANNED_ENDS[statement], [])
+
+
+@posix
+@pytest.mark.parametrize("monitor", MONITORS)
+@pytest.mark.parametrize("statement", ["time.sleep(1000)", COMPUTES])
+def test_a_planned_end_comes_where_ctrl_c_is_ignored(
+    tmp_path: Path, statement: str, monitor: str
+) -> None:
+    """As after nohup, or `&` in a script."""
+    (tmp_path / "program.py").write_text(BEGINNING + "signal.raise_signal(2)\n" + statement + "\n")
+    ignoring = ["sh", "-c", "trap '' INT; exec \"$@\"", "sh", sys.executable, "program.py"]
+    plan = {"BGI_MONITOR": monitor, "BGI_AFTER": "300ms", "PYTHONPATH": str(HOME)}
+    done = subprocess.run(
+        ignoring, cwd=tmp_path, env=os.environ | plan, capture_output=True, timeout=PATIENCE
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
 
 
 @pytest.mark.parametrize("through", [[], ["-m", "bgi"]])
