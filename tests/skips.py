@@ -54,6 +54,7 @@ REASONS = {
     "Python is always at a prompt": BROWSER,
     "uses POSIX signals or fork": WINDOWS,
     "uses POSIX descriptors": WINDOWS,
+    "this system makes no links": WINDOWS,
     "looks into /proc": not LINUX,
     "speaks of X11": not LINUX,
     "speaks of glibc": platform.libc_ver()[0] != "glibc",

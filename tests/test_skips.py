@@ -1,8 +1,10 @@
 """A skip that nobody expects is a failure."""
 
+import ast
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -60,6 +62,25 @@ def test_a_reason_counts_only_where_it_holds(monkeypatch: pytest.MonkeyPatch) ->
     assert skips.unexpected("needs wings") == ""
     assert "does not hold: needs legs" in skips.unexpected("needs legs")
     assert "does not know: needs fins" in skips.unexpected("needs fins")
+
+
+def _reasons(source: str) -> Iterator[str]:
+    """The reasons that a test file writes down; "": one that pytest makes up."""
+    for node in ast.walk(ast.parse(source)):
+        name = ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
+        if isinstance(node, ast.Call) and name in ("skip", "skipif", "importorskip"):
+            given = [word.value for word in node.keywords if word.arg == "reason"]
+            reason = given[0] if given else node.args[0] if name == "skip" else ast.Constant("")
+            if isinstance(reason, ast.Constant):
+                yield str(reason.value)
+
+
+def test_every_reason_that_a_test_gives_is_known() -> None:
+    # Where it is not, the test fails on a system that we do not run here.
+    for file in sorted((ROOT / "tests").rglob("*.py")):
+        if file != Path(__file__):
+            for reason in _reasons(file.read_text("utf-8")):
+                assert reason in skips.REASONS, f"{file.relative_to(ROOT)}: {reason!r}"
 
 
 def test_what_a_browser_cannot_do_is_a_test_of_ours():

@@ -78,7 +78,7 @@ def test_a_random_beside_the_program_does_not_keep_bgi_from_being_imported(tmp_p
     assert (ran.stdout, ran.stderr, ran.returncode) == ("0\n", "", 0)
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="asks the kernel what a process has loaded")
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 def test_the_window_opens_without_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     card = Card()

@@ -50,7 +50,7 @@ def xvfb() -> Iterator[str]:
         ready, _, _ = select.select([reader], [], [], PATIENCE)
         number = os.read(reader, 10).decode().strip() if ready else ""
         if not number:
-            pytest.skip("Xvfb does not start here")
+            pytest.fail("Xvfb does not start")
         yield f":{number}"
     finally:
         os.close(reader)

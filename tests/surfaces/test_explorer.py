@@ -283,7 +283,7 @@ def test_f2_saves_the_picture_under_a_new_name(
 
 
 def test_f3_saves_a_turn(walk: Explorer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    image = pytest.importorskip("PIL.Image")
+    image = pytest.importorskip("PIL.Image", reason="needs Pillow")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(explorer, "FRAMES", 8)
     press(walk, "F3", monkeypatch)
