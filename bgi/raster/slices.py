@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bgi.raster import lines, polygons
-from bgi.raster.ellipses import Curve, arc, quadrant
+from bgi.raster.ellipses import Curve, arc, point_at, quadrant
 from bgi.raster.kept import Kept
 from bgi.raster.lines import Ints
 from bgi.raster.offsets import offsets, reach
@@ -43,14 +43,40 @@ class Piece(NamedTuple):
 
 
 def _piece(first: int, last: int, rx: int, ry: int, width: int) -> Piece:
-    dx, dy = arc(first, last, rx, ry)
-    if not _smooth(dx, dy):
+    stretch = _stretch(first, last, rx, ry)
+    dx, dy = stretch or arc(first, last, rx, ry)
+    if not (stretch or _smooth(dx, dy)):
         curve = Curve(dx, dy, offsets(dy * width + dx, reach(dx, dy), width))
         return Piece(_scanned_rows(dx, dy), curve, False)
     xs, ys = sorted((int(dx[0]), int(dx[-1]))), sorted((int(dy[0]), int(dy[-1])))
     extent = xs[0], ys[0], xs[1], ys[1]
     curve = Curve(dx, dy, offsets(dy * width + dx, extent, width))
     return Piece(_smooth_rows(dx, dy), curve, True)
+
+
+def _stretch(first: int, last: int, rx: int, ry: int) -> tuple[Ints, Ints] | None:
+    """`arc` within a quadrant, as a stretch of the stepper's points: it is found sooner so.
+
+    None where the stepper does not end at the longest x, as with some flat ellipses, or where the
+    arc is one point: then arcs are not so simple.
+    """
+    start, end = point_at(first, rx, ry), point_at(last, rx, ry)
+    x, y = quadrant(rx, ry)
+    if last - first < 2 or start == end or min(rx, ry) < 1 or x[-1] != rx:
+        return None
+    # Within a quadrant this is the rank, or falls as that grows.
+    position = x - y
+    low, high = sorted(abs(dx) - abs(dy) for dx, dy in (start, end))
+    here, there = int(position.searchsorted(low)), int(position.searchsorted(high, "right"))
+    if there - here < 2:
+        return None
+    at_top, at_side = here == 0, there == len(x)
+    x, y = x[here:there], y[here:there]
+    if at_top or at_side:  # a point on an axis is its own mirror image, and comes twice
+        twice = np.ones(len(x), np.int64)
+        twice[0], twice[-1] = 1 + at_top, 1 + at_side
+        x, y = x.repeat(twice), y.repeat(twice)
+    return x if first < 90 or first >= 270 else -x, -y if first < 180 else y
 
 
 def _smooth(dx: Ints, dy: Ints) -> bool:

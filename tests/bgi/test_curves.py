@@ -470,6 +470,29 @@ def test_a_smooth_piece_of_a_slice_is_filled_like_any_polygon(piece, ends, rx, r
 
 @quick
 @given(
+    quarter=st.sampled_from([0, 90, 180, 270]),
+    ends=st.tuples(st.integers(0, 90), st.integers(0, 90)),
+    rx=st.one_of(radii, st.integers(0, 2000)),
+    ry=st.one_of(radii, st.integers(0, 2000)),
+)
+@example(quarter=270, ends=(0, 90), rx=46, ry=3)  # which does not end at 46
+@example(quarter=270, ends=(0, 90), rx=1, ry=0)
+@example(quarter=0, ends=(0, 90), rx=40, ry=30)
+def test_the_edge_of_a_slice_is_an_arc(quarter, ends, rx, ry):
+    """Also where it is taken as a stretch of the quadrant, as most are."""
+    first, last = (quarter + angle for angle in sorted(ends))
+    stretch = slices._stretch(first, last, rx, ry)
+    if (first, last, rx, ry) == (0, 90, 40, 30):
+        assert stretch
+    if stretch:
+        dx, dy = stretch
+        arc_dx, arc_dy = curves.arc(first, last, rx, ry)
+        assert (dx.tolist(), dy.tolist()) == (arc_dx.tolist(), arc_dy.tolist())
+        assert slices._smooth(dx, dy)
+
+
+@quick
+@given(
     call=curve_calls,
     x=st.sampled_from([-(10**30), -(1 << 40), -(1 << 24), 50, 1 << 62, 10**30]),
     y=st.sampled_from([-(10**30), -(1 << 40), -(1 << 24), 50, 1 << 62, 10**30]),
