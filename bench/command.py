@@ -62,7 +62,7 @@ def main(words: Sequence[str] | None = None) -> None:
     """Do what the command line says."""
     options = parser().parse_args(words)
     if options.readme:
-        readme.write(Run.load(options.readme))
+        readme.write(options.readme)
         return
     named = options.groups or list(GROUPS)
     known = {**GROUPS, **REPORTS}
@@ -79,7 +79,7 @@ def main(words: Sequence[str] | None = None) -> None:
     if options.save:
         run.save(options.save)
     if options.against:
-        print(f"\n{report.comparison(Run.load(options.against), run)}")
+        print(f"\n{report.comparison(options.against, run)}")
 
 
 def parser() -> argparse.ArgumentParser:
@@ -92,10 +92,28 @@ def parser() -> argparse.ArgumentParser:
         help=f"{', '.join(GROUPS)}, all of them unless named; or {' or '.join(REPORTS)}",
     )
     made.add_argument("--rounds", type=int, default=ROUNDS, help="how often, at most")
-    made.add_argument("--save", type=Path, metavar="FILE", help="keep the run")
-    made.add_argument("--against", type=Path, metavar="FILE", help="compare with a kept run")
-    made.add_argument("--readme", type=Path, metavar="FILE", help="write README's table from one")
+    made.add_argument("--save", type=_new_file, metavar="FILE", help="keep the run")
+    made.add_argument("--against", type=_kept_run, metavar="FILE", help="compare with a kept run")
+    made.add_argument(
+        "--readme", type=_kept_run, metavar="FILE", help="write README's table from one"
+    )
     return made
+
+
+def _new_file(word: str) -> Path:
+    """A file that can be written: known before anything is measured."""
+    path = Path(word)
+    if path.is_dir() or not path.parent.is_dir():
+        raise argparse.ArgumentTypeError(f"{word} is a folder, or in a folder that is not there")
+    return path
+
+
+def _kept_run(word: str) -> Run:
+    """A run that `--save` kept."""
+    try:
+        return Run.load(Path(word))
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        raise argparse.ArgumentTypeError(f"{word} is no run that --save kept: {error}") from None
 
 
 def measured(names: Sequence[str], rounds: int) -> Run:

@@ -196,6 +196,27 @@ def test_the_command_keeps_and_compares(tmp_path, capsys):
         command.main(["nonsense"])
 
 
+@pytest.mark.parametrize(
+    "words, wrong",
+    [
+        (["--against", "none.json"], "none.json is no run that --save kept"),
+        (["--against", "list.json"], "list.json is no run that --save kept"),
+        (["--readme", "list.json"], "list.json is no run that --save kept"),
+        (["--save", "none/run.json"], "in a folder that is not there"),
+        (["--save", "."], ". is a folder"),
+    ],
+)
+def test_files_are_looked_at_before_anything_is_measured(
+    words, wrong, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "list.json").write_text("[]")
+    monkeypatch.setattr(command, "measured", lambda *_: pytest.fail("measured"))
+    with pytest.raises(SystemExit, match="2"):
+        command.main(["images", *words])
+    assert wrong in capsys.readouterr().err
+
+
 def test_the_readme_names_known_rows():
     known = {row.name for group in command.GROUPS.values() for row in group.rows()}
     assert set(readme.CALLS) <= known
