@@ -23,7 +23,9 @@ _FAR = 1 << 16
 
 def _disc(rx: int, ry: int) -> FigureRows:
     x, y = quadrant(rx, ry)
-    widest = x[np.flatnonzero(np.diff(y, append=-1))]  # of each y, the last one that has it
+    last = np.ones(len(y), np.bool_)
+    np.not_equal(y[:-1], y[1:], out=last[:-1])
+    widest = x[last]  # of each y, the last one that has it
     right = np.concatenate((widest, widest[-2::-1]))
     return np.arange(len(right), dtype=np.int64) - len(right) // 2, -right, right
 
