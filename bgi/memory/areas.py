@@ -23,8 +23,10 @@ OWNER = np.dtype(np.int16)
 _TOGETHER = 1 << 14
 """Pixels of rows that are set at once; no row has more."""
 _STEPS = np.arange(_TOGETHER)
-_NEAR = 32
+_NEAR = 40
 """Pixels around a flood's seed: most floods stay within."""
+_BORDER = b"\1"
+"""Yes, of a pixel."""
 _WIDE = 64
 """From here on SDL writes rows past the processor's cache, which takes far longer than numpy."""
 
@@ -173,10 +175,19 @@ class Areas(Pixmap):
             min(x + _NEAR, right),
             min(y + _NEAR, bottom),
         )
-        found = self._area_within(near, x, y, border, color, rows)
-        if near != view and _leaves(found, near, view):
-            found = self._area_within(view, x, y, border, color, rows)
-        return found
+        if near != view and not self._opens(near, x, y, border):
+            found = self._area_within(near, x, y, border, color, rows)
+            if not _leaves(found, near, view):
+                return found
+        return self._area_within(view, x, y, border, color, rows)
+
+    def _opens(self, box: Box, x: int, y: int, border: int) -> bool:
+        """Whether the pixels beside x, y lead to a side of a box that is none of the viewport's."""
+        left, _, right, _ = box
+        row = (self.array[y, left : right + 1] == self.numbers[border]).tobytes()
+        return (left > self._left and row.rfind(_BORDER, 0, x - left) < 0) or (
+            right < self._right and row.find(_BORDER, x - left) < 0
+        )
 
     def _area_within(self, box: Box, x: int, y: int, border: int, color: int, rows: bytes) -> Rows:
         """What of an area a flood finds that stays within a box."""
