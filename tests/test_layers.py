@@ -91,6 +91,7 @@ LAYERS = [
     "bgi.monitor.web",
     "bgi.monitor.tab",
     "bgi.monitor",
+    "bgi.graphics.linestyle",
     "bgi.graphics.screen",
     "bgi.graphics.pen",
     "bgi.graphics.drawing",

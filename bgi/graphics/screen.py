@@ -11,9 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from bgi.constants import COPY_PUT, THICK_WIDTH, USER_FILL, USERBIT_LINE, grError
+from bgi.constants import USER_FILL, USERBIT_LINE, grError
 from bgi.fonts.bitmap import CELL
 from bgi.fonts.chr import StrokedFont
+from bgi.graphics.linestyle import line_style
 from bgi.kernel.arguments import Number, Numbers, broadcast, length, whole
 from bgi.kernel.modes import YASP, GraphicsMode
 from bgi.kernel.state import KERNEL
@@ -24,15 +25,7 @@ from bgi.memory.page import Page
 from bgi.memory.palette import Palette
 from bgi.monitor import Monitor
 from bgi.monitor.headless import Headless
-from bgi.raster.patterns import (
-    FILL_PATTERNS,
-    LINE_PATTERNS,
-    SOLID_BITS,
-    SOLID_ROWS,
-    dashes,
-    highest_first,
-    shifted_half,
-)
+from bgi.raster.patterns import FILL_PATTERNS, LINE_PATTERNS, SOLID_ROWS, shifted_half
 from bgi.settings import Settings, palettetype, viewporttype
 
 MAX_ENTRIES = 256
@@ -100,19 +93,13 @@ class State:
             page.clip_to(box)
 
     def _use_line_settings(self) -> None:
-        """Take over line style, width and write mode, as the booleans that drawing asks for."""
-        line = self.settings.line
-        style, width = line.linestyle, line.thickness
-        bits = line.upattern if style == USERBIT_LINE else LINE_PATTERNS[style]
-        self._wide = wide = width > THICK_WIDTH
-        if wide:  # a brush draws no gaps
-            bits = SOLID_BITS
-        self._dashes = dashes(highest_first(bits) if self._packed else bits)
-        self._thick = thick = width >= THICK_WIDTH
-        self._xor = xor = self.settings.writemode != COPY_PUT
-        solid = bits == SOLID_BITS and not xor
-        self._plain = solid and not thick
-        self._bold = solid and thick and not wide
+        """Take over line style, width and write mode."""
+        settings, line = self.settings, self.settings.line
+        style = line.linestyle
+        pattern = line.upattern if style == USERBIT_LINE else LINE_PATTERNS[style]
+        self._dashes, self._xor, self._thick, self._wide, self._plain, self._bold = line_style(
+            pattern, line.thickness, settings.writemode, self._packed
+        )
 
     def _use_charsize(self, size: int) -> None:
         """Take over a size for the built-in font: width and height of its characters."""
